@@ -1,0 +1,95 @@
+// Bond laws as values: what a law is called, which parameters it takes, where it comes from, and the function
+// from a bond's geometry and parameters to C. The case reader, `bondstatic laws`, the error messages and the
+// tests all read these objects. A new law is one new file in src/bond/laws and one line in its catalogue.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bondstatic/bond.hpp"
+#include "bondstatic/model.hpp"
+#include "bondstatic/units.hpp"
+
+namespace bondstatic {
+
+/// One input of a law. Allowed are lower < value <= upper, or lower <= value where `lower_included`.
+struct Parameter {
+  std::string name;
+  Dimension dimension;
+  std::string meaning;
+  double lower = 0;
+  bool lower_included = false;
+  double upper = std::numeric_limits<double>::infinity();
+  double default_value = not_given;  ///< NaN: no default
+  bool optional = false;             ///< may stay NaN although it has no default (one of several ways to say it)
+  bool whole = false;                ///< a whole number (seed)
+  bool truth = false;                ///< true or false in the case file, 1 or 0 here
+};
+
+/// Ways to give the same thing, e.g. {{"poisson"}, {"kappa"}}: exactly one group must be given in full, or none
+/// where the first group whose members all have defaults stands in.
+using Alternatives = std::vector<std::vector<std::string>>;
+
+/// What a law may know of a bond's surroundings.
+struct BondSite {
+  double length = 0;    ///< L: distance of the particle centres
+  double radius_a = 0;  ///< particle radii Ra, Rb
+  double radius_b = 0;
+  Index id_a = 0;  ///< particle ids: seeds of laws that scatter
+  Index id_b = 0;
+
+  double gap() const { return length - radius_a - radius_b; }
+};
+
+/// What a law says of one bond.
+struct BondProperties {
+  SectionStiffness stiffness;     ///< what the bond carries
+  double radius = not_given;      ///< of the bond's section, for stresses; NaN: none
+  double fraction = 0.5;          ///< contact point
+  bool moments_fed_back = true;   ///< false: twisting and bending moments stay in the bond (EDEM's torque feedback off)
+};
+
+struct BondLaw {
+  std::string name;      ///< key of the case file: "timoshenko"
+  std::string title;     ///< name in the literature
+  std::string source;    ///< "[Chen2022] Eq. 14-25, Table 6, 9"
+  std::vector<std::string> formulas;  ///< as printed by `bondstatic laws`
+  std::vector<Parameter> parameters;
+  std::vector<Alternatives> alternatives;
+  ContactPoint contact_point;  ///< the law's own; never Kind::of_law
+  std::string remark;          ///< what a user must know: assumptions, derived here, ...
+
+  /// Stiffness, section radius and feedback from the site and the parameters in the order of `parameters`, NaN
+  /// where not given, defaults filled in, bounds already checked.
+  std::function<BondProperties(const BondSite&, std::span<const double>)> evaluate;
+
+  /// What forbids the law at this site ("needs a gap, found -1e-4"), empty if nothing does. May be null.
+  std::function<std::string(const BondSite&, std::span<const double>)> forbids;
+
+  /// Position of a parameter in `parameters`, or -1.
+  Index find(const std::string& parameter) const;
+};
+
+/// All laws of this build, in the order of the listing.
+const std::vector<BondLaw>& bond_laws();
+
+/// Null where there is no law of that name.
+const BondLaw* find_bond_law(const std::string& name);
+
+/// Fill in defaults; parameters in the order of the law.
+/// Appends to `complaints` what is out of bounds, missing, or given twice, each as "young = -5: must be positive".
+std::vector<double> complete_parameters(const BondLaw& law, std::vector<double> given,
+                                        std::vector<std::string>& complaints);
+
+/// Distance a / L of the contact point from particle a. `choice` of_law means the law's own.
+double contact_fraction(ContactPoint choice, const BondLaw& law, const BondSite& site);
+
+BondSite bond_site(const Model& model, const Bond& bond);
+
+/// Properties of every bond of the model, in its order. Throws InputError (place: none) that names bond and
+/// particle ids where a law forbids a site or its stiffness is not finite, positive semi-definite.
+std::vector<BondProperties> bond_properties(const Model& model);
+
+}  // namespace bondstatic

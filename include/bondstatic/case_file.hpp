@@ -1,0 +1,30 @@
+// Reading a case file (TOML) into a model and what is asked of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "bondstatic/output.hpp"
+#include "bondstatic/statics.hpp"
+
+namespace bondstatic {
+
+struct Case {
+  std::string title;
+  std::string file;   ///< as given
+  Model model;
+  StaticOptions solve;
+  std::vector<Output> outputs;
+  std::vector<std::string> warnings;
+  std::string resolved;  ///< the case as TOML with defaults and overrides filled in
+  bool si = false;       ///< a unit was given somewhere: all numbers are SI
+};
+
+/// `overrides` are KEY=VALUE ("bonds.0.young=70e9"; the value as in TOML, a bare word is a string) applied before
+/// reading. Throws InputError with every fault found.
+/// Paths in `resolved` are written relative to `resolved_folder` where that is not empty.
+Case read_case(const std::string& file, const std::vector<std::string>& overrides = {},
+               const std::string& resolved_folder = "");
+
+}  // namespace bondstatic

@@ -1,0 +1,57 @@
+// The contract of a linear solver: analyse the pattern, factorise the values, solve. A backend is one file; the
+// unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix is well
+// scaled in any unit system.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bondstatic/network.hpp"
+
+namespace bondstatic {
+
+struct AnalysisReport {
+  Index unknowns = 0;
+  Index matrix_entries = 0;    ///< lower triangle, without fill
+  Index factor_entries = 0;    ///< as stored
+  double factor_flops = 0;
+  double predicted_bytes = 0;  ///< peak of the whole solve, what stands in memory already not counted
+  std::string ordering;        ///< "METIS on particles", ...
+};
+
+struct FactorReport {
+  /// Smallest ratio of a pivot to the diagonal entry it came from: near rounding where the matrix is numerically
+  /// singular. Zero where the factorisation broke down; then `broken_at` is the unknown where it did.
+  double pivot_ratio = 1;
+  Index broken_at = -1;
+};
+
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+
+  /// Order and analyse the pattern of K. To be called again only where links or free dofs change.
+  virtual AnalysisReport analyse(const BondNetwork& network, const FreeDofs& dofs) = 0;
+
+  /// Assemble and factorise; the pattern is that of the last analyse(), the stiffness may have changed.
+  virtual FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) = 0;
+
+  /// Solve for all columns at once; rows are unknowns.
+  virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) = 0;
+};
+
+struct SolverInfo {
+  std::string name;
+  std::string description;
+};
+
+/// The solvers of this build, best first.
+std::vector<SolverInfo> available_solvers();
+
+/// `name` from available_solvers(), or "auto" for the first. `threads` holds for everything the solver runs,
+/// BLAS included. Throws Error (invalid_input) that lists the names of this build for an unknown one.
+std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads);
+
+}  // namespace bondstatic

@@ -1,0 +1,84 @@
+// The model: particles, bonds, supports, loads. Plain data in one consistent unit system, global axes; it knows
+// where a bond is and which law it follows, not what the law says.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bondstatic/types.hpp"
+
+namespace bondstatic {
+
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+struct Particle {
+  Index id = 0;
+  Vector3 position = Vector3::Zero();
+  double radius = 0;
+  double density = not_given;
+};
+
+/// Where along the branch vector a bond's force and moment act ([Chen2022] Eq. 1, 44 and section 4.3).
+struct ContactPoint {
+  enum class Kind {
+    of_law,         ///< the law's own
+    gap,            ///< centre of the gap: a = (L + Ra - Rb) / 2
+    beam,           ///< middle of the branch: a = L / 2
+    fraction,       ///< a = value * L, counted from the bond's particle a
+    contact_radii,  ///< centre of the gap of contact radii: a = (L + value Ra - value Rb) / 2
+  };
+  Kind kind = Kind::of_law;
+  double value = 0;
+};
+
+/// What the bonds of one [[bonds]] block share. `parameters` follow the order of the law's parameter list;
+/// NaN stands for "not given". `overrides` replace a parameter for single bonds (columns of a bond file):
+/// overrides.at(p)[k] belongs to the k-th bond of the block, NaN where the file leaves it empty.
+struct BondBlock {
+  std::string law;
+  std::vector<double> parameters;
+  ContactPoint contact_point;
+  std::map<std::size_t, std::vector<double>> overrides;
+};
+
+/// A bond between two particles, given by their position in Model::particles.
+struct Bond {
+  Index id = 0;
+  Index a = 0;
+  Index b = 0;
+  Vector3 branch = Vector3::Zero();  ///< x_b - x_a, plus the image shift in a periodic cell
+  Index block = 0;                   ///< position in Model::blocks
+  Index in_block = 0;                ///< this is the block's k-th bond
+};
+
+/// Load cases are numbered as in Model::load_cases; this stands for "all of them".
+inline constexpr Index every_case = -1;
+
+/// Prescribed motion of one particle; only the degrees of freedom with fixed[i] are prescribed.
+struct Support {
+  Index particle = 0;
+  std::array<bool, 6> fixed{};
+  Vector6 value = Vector6::Zero();
+  Index load_case = every_case;
+};
+
+/// Force and moment on one particle; loads on one particle add up.
+struct Load {
+  Index particle = 0;
+  Vector6 force = Vector6::Zero();
+  Index load_case = every_case;
+};
+
+struct Model {
+  std::vector<Particle> particles;
+  std::vector<BondBlock> blocks;
+  std::vector<Bond> bonds;
+  std::vector<Support> supports;
+  std::vector<Load> loads;
+  std::vector<std::string> load_cases{""};  ///< one nameless case where the user names none
+};
+
+}  // namespace bondstatic

@@ -1,0 +1,51 @@
+// Outputs: the few numbers a user asks for. One notion for the terminal, sweep columns, targets and sensitivities.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bondstatic/statics.hpp"
+
+namespace bondstatic {
+
+struct Output {
+  enum class Reduce { value, sum, mean, max };
+
+  std::string name;
+  std::string of;               ///< a particle or bond column ("uy", "sigma"), or a global (output_quantities())
+  std::vector<Index> at;        ///< model positions of particles, or of bonds for a bond column
+  std::vector<Index> base;      ///< apparent_young: the platen that stands still
+  Vector3 axis = Vector3::UnitZ();  ///< apparent_young: from base to at
+  Reduce reduce = Reduce::value;    ///< value: exactly one particle or bond
+  double scale = 1;
+  std::string load_case;
+  std::optional<double> expected;
+  double tolerance = 1e-9;  ///< relative, on `expected`
+  std::string source;       ///< where `expected` comes from
+};
+
+struct OutputValue {
+  std::string name;
+  double value = 0;
+  std::optional<double> expected;
+  double tolerance = 1e-9;
+  std::string source;
+
+  /// |value - expected| / |expected|, or |value| where zero is expected; NaN without expectation.
+  double relative_error() const;
+};
+
+/// What `of` may name, for listings and error messages.
+struct Quantity {
+  enum class Where { particle, bond, model };
+  std::string name;
+  Where where;
+  std::string meaning;
+};
+const std::vector<Quantity>& output_quantities();
+
+std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSolution& solution,
+                                          const std::vector<Output>& outputs);
+
+}  // namespace bondstatic

@@ -1,0 +1,40 @@
+#include "bondstatic/bond.hpp"
+
+#include <limits>
+#include <numbers>
+
+namespace bondstatic {
+
+Matrix6x12 relative_motion_matrix(const Link& link) {
+  Matrix6x12 b;
+  for (int column = 0; column < 12; ++column) {
+    const Vector12 u = Vector12::Unit(column);
+    b.col(column) = relative_motion<double>(link, u.head<6>(), u.tail<6>());
+  }
+  return b;
+}
+
+Matrix6 constitutive_matrix(const SectionStiffness& stiffness, const Vector3& axis) {
+  Matrix6 c;
+  for (int column = 0; column < 6; ++column)
+    c.col(column) = resultants<double>(stiffness, axis, Vector6::Unit(column));
+  return c;
+}
+
+Matrix12 stiffness_matrix(const Link& link) {
+  const Matrix6x12 b = relative_motion_matrix(link);
+  const Matrix6 c = constitutive_matrix(link.stiffness, bond_axis<double>(link));
+  return b.transpose() * c * b;
+}
+
+SectionStress section_stress(const Vector6& q, const Vector3& axis, double bond_radius) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (!(bond_radius > 0)) return {nan, nan};
+  const double r = bond_radius, area = std::numbers::pi * r * r, polar = 0.5 * area * r * r;
+  const Vector3 force = q.head<3>(), moment = q.tail<3>();
+  const double normal = axis.dot(force), twisting = axis.dot(moment);
+  const double shear = (force - normal * axis).norm(), bending = (moment - twisting * axis).norm();
+  return {normal / area + 2 * bending * r / polar, shear / area + std::abs(twisting) * r / polar};
+}
+
+}  // namespace bondstatic
