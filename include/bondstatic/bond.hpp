@@ -39,16 +39,17 @@ struct Link {
   SectionStiffness stiffness;
 };
 
-/// delta = (u_b - u_a) - (t theta_a + (1-t) theta_b) x branch, theta_b - theta_a: motion of b relative to a at
-/// the contact point. It vanishes exactly for rigid motions, whatever the contact point.
+/// delta = (u_b - u_a) - (t theta_a + (1-t) theta_b) x branch, theta_b - theta_a: motion of b relative to a
+/// at the contact point. It vanishes exactly for rigid motions, whatever the contact point.
 template <class Scalar>
-Vector6T<Scalar> relative_motion(const Link& link, const Vector6T<Scalar>& at_a, const Vector6T<Scalar>& at_b) {
+Vector6T<Scalar> relative_motion(const Link& link, const Vector6T<Scalar>& at_a,
+                                 const Vector6T<Scalar>& at_b) {
   const Scalar t = link.fraction;
   const Vector3T<Scalar> theta_a = at_a.template tail<3>(), theta_b = at_b.template tail<3>();
   const Vector3T<Scalar> lever = t * theta_a + (1 - t) * theta_b;
   Vector6T<Scalar> delta;
-  delta.template head<3>() = at_b.template head<3>() - at_a.template head<3>() -
-                             lever.cross(link.branch.cast<Scalar>());
+  delta.template head<3>() =
+      at_b.template head<3>() - at_a.template head<3>() - lever.cross(link.branch.cast<Scalar>());
   delta.template tail<3>() = theta_b - theta_a;
   return delta;
 }

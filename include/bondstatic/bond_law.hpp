@@ -23,13 +23,13 @@ struct Parameter {
   bool lower_included = false;
   double upper = std::numeric_limits<double>::infinity();
   double default_value = not_given;  ///< NaN: no default
-  bool optional = false;             ///< may stay NaN although it has no default (one of several ways to say it)
-  bool whole = false;                ///< a whole number (seed)
-  bool truth = false;                ///< true or false in the case file, 1 or 0 here
+  bool optional = false;  ///< may stay NaN although it has no default (one of several ways to say it)
+  bool whole = false;     ///< a whole number (seed)
+  bool truth = false;     ///< true or false in the case file, 1 or 0 here
 };
 
-/// Ways to give the same thing, e.g. {{"poisson"}, {"kappa"}}: exactly one group must be given in full, or none
-/// where the first group whose members all have defaults stands in.
+/// Ways to give the same thing, e.g. {{"poisson"}, {"kappa"}}: exactly one group must be given in full, or
+/// none where the first group whose members all have defaults stands in.
 using Alternatives = std::vector<std::vector<std::string>>;
 
 /// What a law may know of a bond's surroundings.
@@ -45,28 +45,37 @@ struct BondSite {
 
 /// What a law says of one bond.
 struct BondProperties {
-  SectionStiffness stiffness;     ///< what the bond carries
-  double radius = not_given;      ///< of the bond's section, for stresses; NaN: none
-  double fraction = 0.5;          ///< contact point
-  bool moments_fed_back = true;   ///< false: twisting and bending moments stay in the bond (EDEM's torque feedback off)
+  SectionStiffness stiffness;    ///< what the bond carries
+  double radius = not_given;     ///< of the bond's section, for stresses; NaN: none
+  double fraction = 0.5;         ///< contact point
+  bool moments_fed_back = true;  ///< false: kt and kb enter stresses only (EDEM's torque feedback off)
 };
 
 struct BondLaw {
-  std::string name;      ///< key of the case file: "timoshenko"
-  std::string title;     ///< name in the literature
-  std::string source;    ///< "[Chen2022] Eq. 14-25, Table 6, 9"
+  std::string name;                   ///< key of the case file: "timoshenko"
+  std::string title;                  ///< name in the literature
+  std::string source;                 ///< "[Chen2022] Eq. 14-25, Table 6, 9"
   std::vector<std::string> formulas;  ///< as printed by `bondstatic laws`
   std::vector<Parameter> parameters;
-  std::vector<Alternatives> alternatives;
+  std::vector<Alternatives> alternatives = {};
   ContactPoint contact_point;  ///< the law's own; never Kind::of_law
   std::string remark;          ///< what a user must know: assumptions, derived here, ...
 
-  /// Stiffness, section radius and feedback from the site and the parameters in the order of `parameters`, NaN
-  /// where not given, defaults filled in, bounds already checked.
+  /// `evaluate` gives C at the law's own contact point: asked for at another one it is transformed, and the
+  /// bond stays the same. False: C is taken as it is at whichever contact point is asked for ([Chen2022]
+  /// section 4.3).
+  bool stiffness_at_own_contact_point = false;
+
+  /// Stiffness, section radius and feedback from the site and the parameters in the order of `parameters`,
+  /// NaN where not given, defaults filled in, bounds already checked.
   std::function<BondProperties(const BondSite&, std::span<const double>)> evaluate;
 
-  /// What forbids the law at this site ("needs a gap, found -1e-4"), empty if nothing does. May be null.
-  std::function<std::string(const BondSite&, std::span<const double>)> forbids;
+  /// What forbids the law at this site, as finding and cure ("gap = -1e-4 must be positive; use another
+  /// law"), empty if nothing does. May be null.
+  std::function<std::string(const BondSite&, std::span<const double>)> forbids = nullptr;
+
+  /// What is wrong with the parameters together, whatever the site; complete_parameters says it. May be null.
+  std::function<std::string(std::span<const double>)> inconsistent = nullptr;
 
   /// Position of a parameter in `parameters`, or -1.
   Index find(const std::string& parameter) const;
@@ -79,7 +88,8 @@ const std::vector<BondLaw>& bond_laws();
 const BondLaw* find_bond_law(const std::string& name);
 
 /// Fill in defaults; parameters in the order of the law.
-/// Appends to `complaints` what is out of bounds, missing, or given twice, each as "young = -5: must be positive".
+/// Appends to `complaints` what is out of bounds, missing, or given twice, each as "young = -5: must be
+/// positive".
 std::vector<double> complete_parameters(const BondLaw& law, std::vector<double> given,
                                         std::vector<std::string>& complaints);
 

@@ -12,7 +12,7 @@ namespace bondstatic {
 
 struct Case {
   std::string title;
-  std::string file;   ///< as given
+  std::string file;  ///< as given
   Model model;
   StaticOptions solve;
   std::vector<Output> outputs;
@@ -21,9 +21,9 @@ struct Case {
   bool si = false;       ///< a unit was given somewhere: all numbers are SI
 };
 
-/// `overrides` are KEY=VALUE ("bonds.0.young=70e9"; the value as in TOML, a bare word is a string) applied before
-/// reading. Throws InputError with every fault found.
-/// Paths in `resolved` are written relative to `resolved_folder` where that is not empty.
+/// `overrides` are KEY=VALUE ("bonds.0.young=70e9"; the value as in TOML, a bare word is a string) applied
+/// before reading. Throws InputError with every fault found. Paths in `resolved` are written relative to
+/// `resolved_folder` where that is not empty.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides = {},
                const std::string& resolved_folder = "");
 

@@ -1,6 +1,6 @@
-// The contract of a linear solver: analyse the pattern, factorise the values, solve. A backend is one file; the
-// unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix is well
-// scaled in any unit system.
+// The contract of a linear solver: analyse the pattern, factorise the values, solve. A backend is one file;
+// the unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix
+// is well scaled in any unit system.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,16 +14,17 @@ namespace bondstatic {
 
 struct AnalysisReport {
   Index unknowns = 0;
-  Index matrix_entries = 0;    ///< lower triangle, without fill
-  Index factor_entries = 0;    ///< as stored
+  Index matrix_entries = 0;  ///< lower triangle, without fill
+  Index factor_entries = 0;  ///< as stored
   double factor_flops = 0;
   double predicted_bytes = 0;  ///< peak of the whole solve, what stands in memory already not counted
   std::string ordering;        ///< "METIS on particles", ...
 };
 
 struct FactorReport {
-  /// Smallest ratio of a pivot to the diagonal entry it came from: near rounding where the matrix is numerically
-  /// singular. Zero where the factorisation broke down; then `broken_at` is the unknown where it did.
+  /// Smallest ratio of a pivot to the diagonal entry it came from: near rounding where the matrix is
+  /// numerically singular. Zero where the factorisation broke down; then `broken_at` is the unknown where it
+  /// did.
   double pivot_ratio = 1;
   Index broken_at = -1;
 };

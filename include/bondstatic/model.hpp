@@ -1,5 +1,5 @@
-// The model: particles, bonds, supports, loads. Plain data in one consistent unit system, global axes; it knows
-// where a bond is and which law it follows, not what the law says.
+// The model: particles, bonds, supports, loads. Plain data in one consistent unit system, global axes; it
+// knows where a bond is and which law it follows, not what the law says.
 #pragma once
 
 #include <array>
@@ -24,11 +24,12 @@ struct Particle {
 /// Where along the branch vector a bond's force and moment act ([Chen2022] Eq. 1, 44 and section 4.3).
 struct ContactPoint {
   enum class Kind {
-    of_law,         ///< the law's own
-    gap,            ///< centre of the gap: a = (L + Ra - Rb) / 2
-    beam,           ///< middle of the branch: a = L / 2
-    fraction,       ///< a = value * L, counted from the bond's particle a
-    contact_radii,  ///< centre of the gap of contact radii: a = (L + value Ra - value Rb) / 2
+    of_law,          ///< the law's own
+    gap,             ///< centre of the gap: a = (L + Ra - Rb) / 2
+    beam,            ///< middle of the branch: a = L / 2
+    fraction,        ///< a = value * L, counted from the bond's particle a
+    contact_radii,   ///< centre of the gap of contact radii: a = (L + value Ra - value Rb) / 2
+    section_change,  ///< where two segments as long as the radii meet: a = L Ra / (Ra + Rb)
   };
   Kind kind = Kind::of_law;
   double value = 0;

@@ -1,4 +1,5 @@
-// Outputs: the few numbers a user asks for. One notion for the terminal, sweep columns, targets and sensitivities.
+// Outputs: the few numbers a user asks for. One notion for the terminal, sweep columns, targets and
+// sensitivities.
 #pragma once
 
 #include <optional>
@@ -13,9 +14,9 @@ struct Output {
   enum class Reduce { value, sum, mean, max };
 
   std::string name;
-  std::string of;               ///< a particle or bond column ("uy", "sigma"), or a global (output_quantities())
-  std::vector<Index> at;        ///< model positions of particles, or of bonds for a bond column
-  std::vector<Index> base;      ///< apparent_young: the platen that stands still
+  std::string of;           ///< a particle or bond column ("uy", "sigma"), or a global (output_quantities())
+  std::vector<Index> at;    ///< model positions of particles, or of bonds for a bond column
+  std::vector<Index> base;  ///< apparent_young: the platen that stands still
   Vector3 axis = Vector3::UnitZ();  ///< apparent_young: from base to at
   Reduce reduce = Reduce::value;    ///< value: exactly one particle or bond
   double scale = 1;

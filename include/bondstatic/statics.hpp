@@ -18,21 +18,21 @@ struct StaticOptions {
   int threads = 0;           ///< 0: the cores at hand
   double tolerance = 1e-12;  ///< on the backward error
   Unsupported unsupported = Unsupported::error;
-  double memory_limit = 0;   ///< bytes; 0: what the machine and its control group have left
+  double memory_limit = 0;  ///< bytes; 0: what the machine and its control group have left
   std::function<void(const std::string& phase)> progress;  ///< called as each phase begins; may be null
 };
 
-/// What one bond carries. Force and moment are what the bond does to particle b, reduced to the contact point,
-/// global axes (-q of bond.hpp); normal_force is positive in tension.
+/// What one bond carries. Force and moment are what the bond does to particle b, reduced to the contact
+/// point, global axes (-q of bond.hpp); normal_force is positive in tension.
 struct BondResult {
   Vector6 force = Vector6::Zero();
   double normal_force = 0;
   double shear_force = 0;
   double twisting_moment = 0;  ///< signed: moment . e_x
   double bending_moment = 0;
-  double sigma = not_given;    ///< NaN where the bond has no section
+  double sigma = not_given;  ///< NaN where the bond has no section
   double tau = not_given;
-  double energy = 0;           ///< delta^T C delta / 2
+  double energy = 0;  ///< delta^T C delta / 2
 };
 
 /// How good the answer is. Norms run over all unknowns, rotations times network.rotation_length.
@@ -50,8 +50,9 @@ struct Accuracy {
 struct LoadCaseResult {
   std::string name;
   std::vector<Vector6> displacement;  ///< by particle; NaN where left out
-  std::vector<Vector6> reaction;      ///< what the support does to the particle; zero where free, NaN where left out
-  std::vector<BondResult> bonds;      ///< NaN where left out
+  std::vector<Vector6>
+      reaction;  ///< what the support does to the particle; zero where free, NaN where left out
+  std::vector<BondResult> bonds;  ///< NaN where left out
   double energy = 0;
   double work = 0;  ///< of the loads and of moved supports, through the whole motion (= 2 energy)
   Accuracy accuracy;
@@ -68,7 +69,7 @@ struct StaticReport {
   AnalysisReport analysis;  ///< of the largest system where supports differ between load cases
   int factorisations = 0;
   std::vector<Phase> phases;
-  double peak_bytes = 0;    ///< resident peak of the process
+  double peak_bytes = 0;                    ///< resident peak of the process
   std::vector<std::vector<Index>> dropped;  ///< bodies left out, by model position
   std::vector<std::string> warnings;
 };
@@ -78,8 +79,8 @@ struct StaticSolution {
   StaticReport report;
 };
 
-/// Throws MechanismError, AccuracyError, MemoryError; Error (invalid_input) for an unknown solver or a degree of
-/// freedom that two supports prescribe differently.
+/// Throws MechanismError, AccuracyError, MemoryError; Error (invalid_input) for an unknown solver or a degree
+/// of freedom that two supports prescribe differently.
 StaticSolution solve_statics(const Model& model, const StaticOptions& options);
 
 }  // namespace bondstatic

@@ -1,5 +1,5 @@
-// Physical dimensions and numbers with a unit. bondstatic works in any one consistent unit system; a string such
-// as "200 GPa" fixes it to SI and has its dimension checked.
+// Physical dimensions and numbers with a unit. bondstatic works in any one consistent unit system; a string
+// such as "200 GPa" fixes it to SI and has its dimension checked.
 #pragma once
 
 #include <string>

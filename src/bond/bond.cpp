@@ -22,9 +22,16 @@ Matrix6 constitutive_matrix(const SectionStiffness& stiffness, const Vector3& ax
 }
 
 Matrix12 stiffness_matrix(const Link& link) {
-  const Matrix6x12 b = relative_motion_matrix(link);
-  const Matrix6 c = constitutive_matrix(link.stiffness, bond_axis<double>(link));
-  return b.transpose() * c * b;
+  // Column by column, as C as a matrix would spread the rounding of kn over the much smaller ks and kb.
+  const Vector3 axis = bond_axis<double>(link);
+  Matrix12 k;
+  for (int column = 0; column < 12; ++column) {
+    const Vector12 u = Vector12::Unit(column);
+    const Vector6 delta = relative_motion<double>(link, u.head<6>(), u.tail<6>());
+    const Vector6 q = resultants<double>(link.stiffness, axis, delta);
+    k.col(column) << -force_on_a<double>(link, q), -force_on_b<double>(link, q);
+  }
+  return k;
 }
 
 SectionStress section_stress(const Vector6& q, const Vector3& axis, double bond_radius) {

@@ -1,0 +1,61 @@
+// The answer as files: summary.json, particles.csv, bonds.csv, model.vtu and case.resolved.toml; with several
+// load cases the tables lie in a folder a load case, under one summary.json.
+//
+// particles.csv  id, x, y, z, radius, ux, uy, uz, rx, ry, rz, reaction_fx ... reaction_mz
+//                (reaction: what the support does to the particle)
+// bonds.csv      id, a, b, fx, fy, fz, mx, my, mz, normal_force, shear_force, twisting_moment,
+// bending_moment, sigma,
+//                tau, energy (fx ... mz: what the bond does to particle b, at the contact point, global axes)
+// model.vtu      points are particles, lines are bonds; the columns above, vectors where they are vectors
+//
+// Particles and bonds that were left out keep their rows, with empty fields (NaN in model.vtu).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "bondstatic/output.hpp"
+#include "bondstatic/statics.hpp"
+
+namespace bondstatic {
+
+/// What the files tell of the case besides its model.
+struct RunInfo {
+  std::string title;
+  std::string file;      ///< the case file
+  std::string resolved;  ///< content of case.resolved.toml
+  bool si = false;
+  std::vector<std::string> warnings;
+};
+
+/// Names of the files that write_results() makes, relative to the folder; summary.json is the last.
+std::vector<std::string> result_files(const Model& model);
+
+/// summary.json as text; `files` is what it lists.
+std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
+                         const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
+
+/// Throws Error (invalid_input) where write_results() could not write: no such place, not allowed, or files
+/// there that are not results. Touches nothing; worth calling before a long solve.
+void check_result_folder(const Model& model, const std::string& folder);
+
+/// Writes all files, whole or not at all: after any error the folder is as it was. Replaces the results of an
+/// earlier run, never another file. `checkpoint` is called between pieces of work and may throw to give up.
+/// Throws Error that names the path.
+void write_results(const Model& model, const RunInfo& run, const StaticSolution& solution,
+                   const std::vector<OutputValue>& outputs, const std::string& folder,
+                   const std::function<void()>& checkpoint = {});
+
+/// Where a load case moves most: particle by model position (-1 where there is none) and its displacement.
+struct LargestDisplacement {
+  Index particle = -1;
+  Vector3 displacement = Vector3::Zero();
+};
+LargestDisplacement largest_displacement(const LoadCaseResult& result);
+
+/// The worst of each figure over the load cases.
+Accuracy worst_accuracy(const StaticSolution& solution);
+
+}  // namespace bondstatic

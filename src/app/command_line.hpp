@@ -1,0 +1,12 @@
+// The command line: what can be asked for, and what is said where it cannot be understood.
+#pragma once
+
+#include "bondstatic/error.hpp"
+
+namespace bondstatic {
+
+/// Throws Error (invalid_input) for a usage error, with the nearest name where one is near, and what the
+/// commands throw.
+ExitCode run_command_line(int argc, char** argv);
+
+}  // namespace bondstatic

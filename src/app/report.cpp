@@ -1,0 +1,133 @@
+#include "app/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/terminal.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+std::string counted(Index count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string counts(const Case& given) {
+  const Model& model = given.model;
+  std::map<std::string, Index> laws;
+  for (const Bond& bond : model.bonds) ++laws[model.blocks[std::size_t(bond.block)].law];
+  std::string by_law;
+  for (const auto& [law, count] : laws)
+    by_law += (by_law.empty() ? "" : ", ") + (laws.size() == 1 ? law : fmt::format("{} {}", count, law));
+  std::set<Index> supported;
+  for (const Support& support : model.supports) supported.insert(support.particle);
+  return fmt::format("{}, {}{}, {} supported, {}{}", counted(Index(model.particles.size()), "particle"),
+                     counted(Index(model.bonds.size()), "bond"), by_law.empty() ? "" : " (" + by_law + ")",
+                     supported.size(), counted(Index(model.load_cases.size()), "load case"),
+                     given.si ? ", SI units" : "");
+}
+
+std::string outputs_table(const std::vector<OutputValue>& outputs) {
+  Table table{{{"output", "value", "expected", "relative error", "source"}},
+              {false, true, true, true, false}};
+  for (const OutputValue& output : outputs) {
+    std::vector<std::string> row{output.name, fmt::format("{:.10g}", output.value), "", "", ""};
+    if (output.expected) {
+      const double error = output.relative_error();
+      const bool agrees = error <= output.tolerance;
+      row[2] = fmt::format("{:.10g}", *output.expected);
+      row[3] = fmt::format("{:.1e}", error);
+      row[4] =
+          output.source +
+          (agrees ? "" : fmt::format("{}outside {:g}", output.source.empty() ? "" : "; ", output.tolerance));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  const bool compared = std::any_of(outputs.begin(), outputs.end(),
+                                    [](const OutputValue& output) { return output.expected.has_value(); });
+  if (!compared)
+    for (auto& row : table.rows) row.resize(2);
+  return to_text(table, 2);
+}
+
+/// Where nothing was asked for, the largest displacement of each load case answers.
+std::string displacement_table(const Case& given, const StaticSolution& solution) {
+  Table table{{{"load case", "largest displacement", "particle", "ux", "uy", "uz", "energy"}},
+              {false, true, true, true, true, true, true}};
+  for (const LoadCaseResult& result : solution.cases) {
+    const LargestDisplacement largest = largest_displacement(result);
+    if (largest.particle < 0) continue;
+    const Vector3& u = largest.displacement;
+    table.rows.push_back({result.name.empty() ? "-" : result.name, fmt::format("{:.7g}", u.stableNorm()),
+                          std::to_string(given.model.particles[std::size_t(largest.particle)].id),
+                          fmt::format("{:.7g}", u.x()), fmt::format("{:.7g}", u.y()),
+                          fmt::format("{:.7g}", u.z()), fmt::format("{:.7g}", result.energy)});
+  }
+  return to_text(table, 2);
+}
+
+std::string dropped(const Case& given, const StaticReport& report) {
+  constexpr std::size_t most = 12;
+  std::string ids;
+  std::size_t particles = 0;
+  for (const std::vector<Index>& body : report.dropped)
+    for (const Index p : body)
+      if (particles++ < most) ids += fmt::format(" {}", given.model.particles[std::size_t(p)].id);
+  return fmt::format("{} unsupported, {}:{}{}", counted(Index(report.dropped.size()), "body"),
+                     counted(Index(particles), "particle"), ids, particles > most ? " ..." : "");
+}
+
+/// What the solve took and how good it is, a line each.
+Table facts(const Case& given, const StaticSolution& solution) {
+  const StaticReport& report = solution.report;
+  const Accuracy worst = worst_accuracy(solution);
+  double seconds = 0;
+  for (const Phase& phase : report.phases) seconds += phase.seconds;
+  Table table;
+  table.rows.push_back(
+      {"accuracy",
+       fmt::format("relative error at most {:.1e} (backward error {:.1e}, refined {})", worst.forward_error,
+                   worst.backward_error,
+                   worst.refinements == 1 ? "once" : fmt::format("{} times", worst.refinements))});
+  table.rows.push_back(
+      {"balance", fmt::format("forces {:.1e}, moments {:.1e}, energy and work {:.1e}", worst.force_balance,
+                              worst.moment_balance, worst.energy_balance)});
+  table.rows.push_back(
+      {"solved", fmt::format("{} by {} ({}) in {}", counted(report.analysis.unknowns, "unknown"),
+                             report.solver, counted(report.threads, "thread"), seconds_text(seconds))});
+  table.rows.push_back(
+      {"memory", fmt::format("{} for the solve predicted, {} at the peak of the process",
+                             bytes_text(report.analysis.predicted_bytes), bytes_text(report.peak_bytes))});
+  if (!report.dropped.empty()) table.rows.push_back({"left out", dropped(given, report)});
+  return table;
+}
+
+std::string warnings(const Case& given, const StaticReport& report) {
+  std::string text;
+  for (const auto* list : {&given.warnings, &report.warnings})
+    for (const std::string& warning : *list) text += fmt::format("  warning: {}\n", warning);
+  return text;
+}
+
+}  // namespace
+
+std::string report(const Case& given, const Answer& answer, const std::string& folder) {
+  std::string text;
+  if (!given.title.empty()) text += bold(given.title, stdout) + "\n";
+  text += counts(given) + "\n\n";
+  text += given.outputs.empty() ? displacement_table(given, answer.solution) : outputs_table(answer.outputs);
+  Table lines = facts(given, answer.solution);
+  if (!folder.empty()) {
+    std::string names;
+    for (const std::string& name : result_files(given.model)) names += (names.empty() ? "" : ", ") + name;
+    lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names), 12)});
+  }
+  text += "\n" + to_text(lines, 2);
+  return text + warnings(given, answer.solution.report);
+}
+
+}  // namespace bondstatic

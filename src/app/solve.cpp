@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/report.hpp"
+#include "app/run_case.hpp"
+#include "app/terminal.hpp"
+
+namespace bondstatic {
+
+ExitCode solve(const SolveArguments& arguments) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const Case given = read_case(arguments, arguments.overrides);
+  const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (!arguments.folder.empty()) check_result_folder(given.model, arguments.folder);
+
+  StatusLine status;
+  Answer result = answer(given, [&](const std::string& phase) { status.show(phase); });
+  auto& phases = result.solution.report.phases;
+  phases.insert(phases.begin(), {"read", reading});
+
+  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
+  if (!arguments.folder.empty()) {
+    status.show("write");
+    const DeferredInterrupts guard;
+    write_results(given.model, run, result.solution, result.outputs, arguments.folder,
+                  DeferredInterrupts::check);
+  }
+  status.clear();
+
+  const std::vector<std::string> files =
+      arguments.folder.empty() ? std::vector<std::string>{} : result_files(given.model);
+  fmt::print("{}", arguments.json ? summary_json(given.model, run, result.solution, result.outputs, files)
+                                  : report(given, result, arguments.folder));
+  return ExitCode::done;
+}
+
+}  // namespace bondstatic

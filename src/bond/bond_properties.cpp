@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "bond/contact_point.hpp"
+#include "bond/parameters.hpp"
+#include "bondstatic/bond_law.hpp"
+#include "bondstatic/error.hpp"
+
+namespace bondstatic {
+namespace {
+
+/// Bonds of a packing tend to fail together: say the first ones, count the others.
+constexpr std::size_t most_faults = 20;
+
+/// What a block says of all its bonds, looked up once.
+struct BlockPlan {
+  struct Override {
+    std::size_t parameter;
+    const std::vector<double>* values;  ///< by position in the block
+    std::vector<std::size_t> rules_out;
+  };
+
+  const BondLaw* law = nullptr;
+  ContactPoint contact_point;
+  ParameterRules rules;
+  std::vector<double> values;  ///< complete where there are no overrides
+  std::vector<Override> overrides;
+};
+
+/// A sound plan, or one without law, with the faults said.
+BlockPlan plan(const BondBlock& block, std::size_t number, std::vector<Fault>& faults) {
+  const auto fault = [&](const std::string& what, const std::string& cure) {
+    faults.push_back({{}, fmt::format("bonds.{} (law {}): {}", number, block.law, what), cure});
+    return BlockPlan{};
+  };
+  const BondLaw* law = find_bond_law(block.law);
+  if (!law) {
+    std::string known;
+    for (const BondLaw& each : bond_laws()) known += (known.empty() ? "" : ", ") + each.name;
+    return fault("unknown law", "give one of " + known);
+  }
+  if (block.parameters.size() > law->parameters.size())
+    return fault(
+        fmt::format("{} parameters, but the law takes {}", block.parameters.size(), law->parameters.size()),
+        "see `bondstatic laws`");
+  BlockPlan out{law, block.contact_point, parameter_rules(*law), block.parameters, {}};
+  out.values.resize(law->parameters.size(), not_given);
+  for (const auto& [parameter, values] : block.overrides)
+    out.overrides.push_back({parameter, &values, out.rules.ruled_out_by(parameter)});
+  std::vector<std::string> complaints;
+  if (!out.overrides.empty() || complete(out.rules, out.values, complaints)) return out;
+  for (const std::string& complaint : complaints) fault(complaint, "see `bondstatic laws`");
+  return {};
+}
+
+/// The parameters of the k-th bond of a block with overrides. What a bond says of itself beats what its block
+/// says in other words (`radius` a `radius_factor`).
+std::vector<double> own_parameters(const BlockPlan& plan, std::size_t k) {
+  std::vector<double> values = plan.values;
+  const auto own = [&](const BlockPlan::Override& o) { return (*o.values).at(k); };
+  for (const BlockPlan::Override& o : plan.overrides)
+    if (!std::isnan(own(o)))
+      for (const std::size_t p : o.rules_out) values[p] = not_given;
+  for (const BlockPlan::Override& o : plan.overrides)
+    if (!std::isnan(own(o))) values.at(o.parameter) = own(o);
+  return values;
+}
+
+/// Finite, positive along the axis, positive semi-definite (see SectionStiffness); NaN fails every
+/// comparison.
+bool sound(const BondProperties& p) {
+  const SectionStiffness& c = p.stiffness;
+  constexpr double inf = std::numeric_limits<double>::infinity(), rounding = 1 + 1e-14;
+  const bool finite = c.kn < inf && c.ks < inf && c.kt < inf && c.kb < inf && std::isfinite(p.fraction);
+  // Square roots, so that neither side over- or underflows.
+  const bool definite = std::abs(c.coupling) <= rounding * std::sqrt(c.ks) * std::sqrt(c.kb);
+  return finite && c.kn > 0 && c.ks >= 0 && c.kt >= 0 && c.kb >= 0 && definite;
+}
+
+/// Finding and cure, "; " between them; empty if nothing is wrong.
+std::string evaluate(const BlockPlan& plan, const BondSite& site, std::span<const double> values,
+                     BondProperties& out) {
+  const BondLaw& law = *plan.law;
+  if (!(site.length > 0) || !std::isfinite(site.length))
+    return fmt::format("length = {} must be positive; move the particles apart, or remove the bond",
+                       site.length);
+  if (law.forbids)
+    if (std::string finding = law.forbids(site, values); !finding.empty()) return finding;
+  out = law.evaluate(site, values);
+  out.fraction = contact_fraction(plan.contact_point, law, site);
+  if (law.stiffness_at_own_contact_point && plan.contact_point.kind != ContactPoint::Kind::of_law) {
+    const double own = contact_fraction(law.contact_point, law, site);
+    out.stiffness = moved(out.stiffness, (out.fraction - own) * site.length);
+  }
+  if (sound(out)) return {};
+  const SectionStiffness& c = out.stiffness;
+  return fmt::format(
+      "kn = {}, ks = {}, kt = {}, kb = {}, coupling = {}, contact point at {} of the branch: must be "
+      "finite, kn positive, the others such that no motion yields energy; check the magnitudes of "
+      "lengths, radii (Ra = {}, Rb = {}) and moduli",
+      c.kn, c.ks, c.kt, c.kb, c.coupling, out.fraction, site.radius_a, site.radius_b);
+}
+
+Fault bond_fault(const Model& model, const Bond& bond, const BondLaw& law, const std::string& text) {
+  const std::size_t split = text.find("; ");
+  const Index a = model.particles[std::size_t(bond.a)].id, b = model.particles[std::size_t(bond.b)].id;
+  return {{},
+          fmt::format("bond {} between particles {} and {} (law {}): {}", bond.id, a, b, law.name,
+                      text.substr(0, split)),
+          split == std::string::npos ? "see `bondstatic laws`" : text.substr(split + 2)};
+}
+
+}  // namespace
+
+BondSite bond_site(const Model& model, const Bond& bond) {
+  const Particle& a = model.particles.at(std::size_t(bond.a));
+  const Particle& b = model.particles.at(std::size_t(bond.b));
+  return {bond.branch.norm(), a.radius, b.radius, a.id, b.id};
+}
+
+std::vector<BondProperties> bond_properties(const Model& model) {
+  std::vector<Fault> faults;
+  std::vector<BlockPlan> plans;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) plans.push_back(plan(model.blocks[b], b, faults));
+
+  std::vector<BondProperties> out(model.bonds.size());
+  std::size_t unsaid = 0;
+  for (std::size_t k = 0; k < model.bonds.size(); ++k) {
+    const Bond& bond = model.bonds[k];
+    const BlockPlan& plan = plans.at(std::size_t(bond.block));
+    if (!plan.law) continue;
+    const BondSite site = bond_site(model, bond);
+    std::vector<std::string> found;
+    if (plan.overrides.empty()) {
+      found.push_back(evaluate(plan, site, plan.values, out[k]));
+    } else {
+      std::vector<double> values = own_parameters(plan, std::size_t(bond.in_block));
+      if (complete(plan.rules, values, found)) found.push_back(evaluate(plan, site, values, out[k]));
+    }
+    for (const std::string& text : found) {
+      if (text.empty()) continue;
+      if (faults.size() < most_faults)
+        faults.push_back(bond_fault(model, bond, *plan.law, text));
+      else
+        ++unsaid;
+    }
+  }
+  if (unsaid > 0)
+    faults.push_back({{}, fmt::format("and {} more faults of this kind in other bonds", unsaid), "as above"});
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return out;
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,27 @@
+// Completing the parameters of a law, for many bonds: names are resolved once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bondstatic/bond_law.hpp"
+
+namespace bondstatic {
+
+/// A law's alternatives as positions in its parameter list: alternatives > ways > parameters.
+struct ParameterRules {
+  const BondLaw* law = nullptr;
+  std::vector<std::vector<std::vector<std::size_t>>> alternatives;
+  std::vector<bool> in_alternative;  ///< by parameter
+
+  /// Parameters that a value for parameter `given` rules out: those of the other ways to say the same thing.
+  std::vector<std::size_t> ruled_out_by(std::size_t given) const;
+};
+
+ParameterRules parameter_rules(const BondLaw& law);
+
+/// As complete_parameters(), in place; `values` has the size of the law's list. True if there was no
+/// complaint.
+bool complete(const ParameterRules& rules, std::vector<double>& values, std::vector<std::string>& complaints);
+
+}  // namespace bondstatic

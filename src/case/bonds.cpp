@@ -1,0 +1,199 @@
+#include "case/bonds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "case/bond_file.hpp"
+#include "case/bond_parameters.hpp"
+#include "case/selector.hpp"
+#include "model/bond_formation.hpp"
+
+namespace bondstatic {
+namespace {
+
+ContactPoint read_contact_point(TableReader& block) {
+  Node* node = block.find("contact_point");
+  if (!node) return {};
+  if (node->is_number()) {
+    const auto value = block.number("contact_point", dimension::none);
+    if (value && *value > 0 && *value < 1) return {ContactPoint::Kind::fraction, *value};
+    if (value)
+      block.reading().fault(node->place, fmt::format("contact_point = {} must lie between 0 and 1", *value),
+                            "give the part of the branch from particle a, e.g. 0.5");
+    return {};
+  }
+  const std::string name =
+      block.choice_or("contact_point", "gap", std::vector<std::string>{"gap", "beam", "contact-radii"});
+  if (name == "gap") return {ContactPoint::Kind::gap, 0};
+  if (name == "beam") return {ContactPoint::Kind::beam, 0};
+  block.require("contact_radius_factor",
+                "add contact_radius_factor = F: contact radii are F times the radii");
+  return {ContactPoint::Kind::contact_radii,
+          block.number("contact_radius_factor", dimension::none, Allowed::positive).value_or(1)};
+}
+
+/// Gap, contact radius factor or file; the factor may stand beside the others where the contact point needs
+/// it.
+Formation read_formation(TableReader& block, const ContactPoint& contact_point, bool& from_file) {
+  std::vector<std::string> ways{"gap", "contact_radius_factor", "file"};
+  const bool factor_is_taken =
+      contact_point.kind == ContactPoint::Kind::contact_radii && (block.has("gap") || block.has("file"));
+  if (factor_is_taken) ways.erase(ways.begin() + 1);
+  const std::string way = block.at_most_one_of(ways);
+  from_file = way == "file";
+  Formation formation;
+  const auto gap = block.number("gap", dimension::length);
+  const auto factor = block.number("contact_radius_factor", dimension::none, Allowed::positive);
+  if (way == "contact_radius_factor") formation.contact_radius_factor = factor.value_or(1);
+  if (way == "gap") formation.gap = gap.value_or(0);
+  if (way.empty()) block.set_default("gap", Node::of(0.0));
+  return formation;
+}
+
+std::optional<PositionLists> read_between(Draft& draft, TableReader& block, bool from_file) {
+  const auto names = block.texts("between");
+  if (!names) return std::nullopt;
+  const Place& place = block.place_of("between");
+  if (from_file)
+    draft.reading.fault(place, "between and file exclude each other",
+                        "list in the file what shall be bonded");
+  if (names->empty() || names->size() > 2) {
+    draft.reading.fault(place, fmt::format("between names {} groups", names->size()),
+                        "write between = [\"a\", \"b\"], or one group for bonds inside it");
+    return std::nullopt;
+  }
+  const auto *first = find_group(draft, names->front(), place),
+             *second = find_group(draft, names->back(), place);
+  if (!first || !second) return std::nullopt;
+  return PositionLists{*first, *second};
+}
+
+struct Pairs {
+  std::unordered_set<Index> keys;
+  Index particles = 0;
+
+  /// False where the pair is there already.
+  bool add(Index a, Index b) { return keys.insert(std::min(a, b) * particles + std::max(a, b)).second; }
+};
+
+/// Adds the block's bonds to the model.
+class BondAdder {
+ public:
+  BondAdder(Draft& draft, std::string existing)
+      : draft_(draft), existing_(std::move(existing)), faults_(draft.reading.faults.size()) {
+    for (const auto& bond : draft.bond_of_id) next_id_ = std::max(next_id_, bond.first + 1);
+    pairs_.particles = Index(draft.model.particles.size());
+    for (const Bond& bond : draft.model.bonds) pairs_.add(bond.a, bond.b);
+  }
+
+  /// `id` -1: the next one. False where the bond is left out.
+  bool add(Index a, Index b, Index id, const Place& place) {
+    if (!pairs_.add(a, b) && existing_ != "add") {
+      if (existing_ == "error")
+        fault(place, fmt::format("particles {} and {} are bonded already", id_of(a), id_of(b)),
+              "write existing = \"skip\" to leave such pairs alone, or \"add\" for parallel bonds");
+      return false;
+    }
+    const Vector3 branch =
+        draft_.model.particles[std::size_t(b)].position - draft_.model.particles[std::size_t(a)].position;
+    if (branch.isZero(0))
+      fault(place, fmt::format("particles {} and {}, to be bonded, lie in one point", id_of(a), id_of(b)),
+            "move or remove one of them");
+    if (id < 0) id = next_id_;
+    next_id_ = std::max(next_id_, id + 1);
+    if (!draft_.bond_of_id.emplace(id, Index(draft_.model.bonds.size())).second)
+      fault(place, fmt::format("bond id {} is there twice", id), "give every bond an id of its own");
+    draft_.model.bonds.push_back({id, a, b, branch, Index(draft_.model.blocks.size()), added_++});
+    return true;
+  }
+
+  Index added() const { return added_; }
+  bool sound() const { return draft_.reading.faults.size() == faults_; }
+
+ private:
+  Index id_of(Index particle) const { return draft_.model.particles[std::size_t(particle)].id; }
+
+  void fault(const Place& place, const std::string& message, const std::string& cure) {
+    if (++said_ <= 20) draft_.reading.fault(place, message, cure);
+  }
+
+  Draft& draft_;
+  std::string existing_;
+  std::size_t faults_;
+  Pairs pairs_;
+  Index next_id_ = 1;
+  Index added_ = 0;
+  int said_ = 0;
+};
+
+/// Bonds of the rows that were not skipped, with their own parameters.
+void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
+  for (std::size_t row = 0; row < rows.a.size(); ++row) {
+    if (!adder.add(rows.a[row], rows.b[row], rows.ids.empty() ? -1 : rows.ids[row], rows.places[row]))
+      continue;
+    for (const auto& [parameter, values] : rows.overrides) made.overrides[parameter].push_back(values[row]);
+  }
+}
+
+void read_block(Draft& draft, TableReader& block) {
+  Reading& reading = draft.reading;
+  const std::size_t before = reading.faults.size();
+  const BondLaw* law = read_law(block);
+  BondBlock made;
+  std::vector<double> given;
+  if (law) {
+    made.law = law->name;
+    given = read_parameters(block, *law);
+  }
+  const bool parameters_read = reading.faults.size() == before;
+  made.contact_point = read_contact_point(block);
+  bool from_file = false;
+  const Formation formation = read_formation(block, made.contact_point, from_file);
+  const auto between = read_between(draft, block, from_file);
+  const std::string existing =
+      block.choice_or("existing", "error", std::vector<std::string>{"error", "add", "skip"});
+  if (block.has("strength"))
+    reading.warnings.push_back(fmt::format("{}:{}: strength of bonds is not used by solve",
+                                           block.place_of("strength").file, block.place_of("strength").line));
+  if (!law) return block.accept_any();  // its parameters are unknown
+
+  std::optional<BondRows> rows;
+  if (from_file) rows = read_bond_file(draft, block, *law, given);
+  if (rows && !rows->overrides.empty())
+    made.parameters = given;  // each bond completes them in its own way
+  else if (parameters_read && (rows || !from_file))
+    made.parameters = complete_parameters(block, *law, given);
+  if (reading.faults.size() != before || !draft.particles_known) return;
+
+  BondAdder adder(draft, existing);
+  if (rows)
+    add_rows(adder, *rows, made);
+  else
+    for (const auto& [a, b] : bonded_pairs(draft.model.particles, formation, between ? &*between : nullptr))
+      adder.add(a, b, -1, block.place());
+  if (adder.sound() && adder.added() == 0) {
+    if (existing == "skip")
+      reading.warnings.push_back(
+          fmt::format("{}:{}: the block forms no bond", block.place().file, block.place().line));
+    else
+      reading.fault(block.place(), "the block forms no bond",
+                    "no two particles are near enough: raise gap or contact_radius_factor, or check radii "
+                    "and positions");
+  }
+  draft.model.blocks.push_back(std::move(made));
+}
+
+}  // namespace
+
+void read_bonds(Draft& draft, Node* list) {
+  for_each_table(draft.reading, list, "bonds", [&](TableReader& block) {
+    const std::size_t before = draft.reading.faults.size();
+    read_block(draft, block);
+    if (draft.reading.faults.size() != before) draft.bonds_known = false;
+  });
+}
+
+}  // namespace bondstatic

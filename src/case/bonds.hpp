@@ -1,0 +1,24 @@
+// [[bonds]]: one law a block.
+//
+//   law and its parameters, as `bondstatic laws` lists them
+//   gap (0) | contact_radius_factor | file = "bonds.csv": where bonds form. A file has columns a, b (particle
+//   ids) and,
+//       where wanted, id and any parameter of the law for single bonds
+//   between = "group" | ["a", "b"]: one end in each group
+//   contact_point = "gap" | "beam" | "contact-radii" (with contact_radius_factor) | a number in (0, 1): part
+//   of the
+//       branch from the bond's particle a. Absent: the law's own
+//   existing = "error" | "add" | "skip": what happens to a pair that is bonded already
+//
+// Bonds from a distance run from the smaller to the larger id; ids without a file's id column go on from the
+// largest so far, from 1.
+#pragma once
+
+#include "case/draft.hpp"
+#include "case/table_reader.hpp"
+
+namespace bondstatic {
+
+void read_bonds(Draft& draft, Node* list);
+
+}  // namespace bondstatic

@@ -1,0 +1,25 @@
+// The model while a case is read, with the names that other blocks refer to.
+#pragma once
+
+#include <map>
+#include <unordered_map>
+
+#include "bondstatic/model.hpp"
+#include "case/reading.hpp"
+
+namespace bondstatic {
+
+struct Draft {
+  Reading reading;
+  Model model;
+  std::unordered_map<Index, Index> particle_of_id;  ///< position in Model::particles
+  std::unordered_map<Index, Index> bond_of_id;
+  std::map<std::string, std::vector<Index>> groups;  ///< ascending positions of particles
+
+  /// False where a block of particles or bonds is at fault: what refers to them is then read, but not
+  /// resolved, so that one fault is not reported a hundred times.
+  bool particles_known = true;
+  bool bonds_known = true;
+};
+
+}  // namespace bondstatic

@@ -1,0 +1,109 @@
+#include "case/particle_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/nearest_name.hpp"
+#include "io/table.hpp"
+
+namespace bondstatic {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// All column names that mean something here, by what they mean.
+const std::vector<Names>& aliases() {
+  static const std::vector<Names> names{
+      {"x", "pos_x", "posx", "position_x", "px", "x0"},
+      {"y", "pos_y", "posy", "position_y", "py", "y0"},
+      {"z", "pos_z", "posz", "position_z", "pz", "z0"},
+      {"id", "particle_id", "particle", "pid", "number"},
+      {"radius", "r", "rad", "radii"},
+      {"diameter", "d", "diam"},
+      {"density", "rho"},
+      {"group"},
+  };
+  return names;
+}
+enum { x, y, z, id, radius, diameter, density, group, count };
+
+void warn_unused(TableReader& block, const Table& table, const std::vector<int>& used) {
+  std::vector<std::string> unused;
+  for (std::size_t c = 0; c < table.names().size(); ++c)
+    if (std::find(used.begin(), used.end(), int(c)) == used.end()) unused.push_back(table.names()[c]);
+  if (!unused.empty())
+    block.reading().warnings.push_back(
+        fmt::format("{}: columns not used: {}", table.place(-1, -1).file, name_list(unused)));
+}
+
+std::vector<double> positive(const Table& table, int column, std::vector<Fault>& faults) {
+  std::vector<double> values = table.numbers(column, false, faults);
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (values[row] <= 0) {
+      faults.push_back(
+          {table.place(Index(row), column),
+           fmt::format("{} = {} must be positive", table.names()[std::size_t(column)], values[row]),
+           "correct the row or leave the particle out"});
+      break;
+    }
+  return values;
+}
+
+}  // namespace
+
+std::optional<ParticleRows> read_particle_file(TableReader& block) {
+  std::vector<Fault>& faults = block.reading().faults;
+  const std::size_t before = faults.size();
+  const auto path = block.path("file");
+  if (!path) return std::nullopt;
+  const auto table = read_table(*path, block.place_of("file"), faults);
+  if (!table) return std::nullopt;
+
+  std::vector<int> column(count);
+  for (int what = 0; what < count; ++what)
+    column[std::size_t(what)] = table->find(aliases()[std::size_t(what)], faults);
+  for (const int what : {x, y, z})
+    if (column[std::size_t(what)] < 0)
+      faults.push_back(
+          {table->place(-1, -1),
+           fmt::format("no column {}; found: {}", aliases()[std::size_t(what)][0], name_list(table->names())),
+           fmt::format("name it one of: {}", name_list(aliases()[std::size_t(what)]))});
+  if (column[radius] >= 0 && column[diameter] >= 0)
+    faults.push_back({table->place(-1, column[diameter]), "radius and diameter exclude each other",
+                      "remove or rename one of them"});
+  if (faults.size() != before) return std::nullopt;
+  warn_unused(block, *table, column);
+
+  ParticleRows rows;
+  rows.particles.resize(std::size_t(table->rows()));
+  for (Particle& particle : rows.particles) {
+    particle.id = -1;
+    particle.radius = not_given;
+  }
+  for (Index row = 0; row < table->rows(); ++row)
+    rows.places.push_back(table->place(row, std::max(column[id], 0)));
+  for (const int axis : {x, y, z}) {
+    const std::vector<double> values = table->numbers(column[std::size_t(axis)], false, faults);
+    for (std::size_t i = 0; i < values.size(); ++i) rows.particles[i].position[axis] = values[i];
+  }
+  if ((rows.has_id = column[id] >= 0)) {
+    const std::vector<Index> ids = table->whole_numbers(column[id], faults);
+    for (std::size_t i = 0; i < ids.size(); ++i) rows.particles[i].id = ids[i];
+  }
+  if ((rows.has_radius = column[radius] >= 0 || column[diameter] >= 0)) {
+    const bool halve = column[radius] < 0;
+    const std::vector<double> values = positive(*table, halve ? column[diameter] : column[radius], faults);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      rows.particles[i].radius = halve ? values[i] / 2 : values[i];
+  }
+  if ((rows.has_density = column[density] >= 0)) {
+    const std::vector<double> values = positive(*table, column[density], faults);
+    for (std::size_t i = 0; i < values.size(); ++i) rows.particles[i].density = values[i];
+  }
+  if (column[group] >= 0) rows.groups = table->texts(column[group]);
+  if (faults.size() != before) return std::nullopt;
+  return rows;
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,23 @@
+// A packing in a file.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "case/table_reader.hpp"
+
+namespace bondstatic {
+
+struct ParticleRows {
+  std::vector<Particle> particles;  ///< id -1, radius and density NaN where the file has no such column
+  std::vector<Place> places;        ///< of each row
+  std::vector<std::string> groups;  ///< of each row; empty where there is no such column
+  bool has_id = false, has_radius = false, has_density = false;
+};
+
+/// Columns x, y, z and optionally id, radius or diameter, density, group, with their usual aliases; others
+/// are named in a warning.
+std::optional<ParticleRows> read_particle_file(TableReader& block);
+
+}  // namespace bondstatic

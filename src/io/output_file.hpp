@@ -1,0 +1,41 @@
+// One output file, written through a large buffer. Every failure is an Error that names the path.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace bondstatic {
+
+/// Called between pieces of work; may throw to give up (a pending interrupt).
+using Checkpoint = std::function<void()>;
+
+class OutputFile {
+ public:
+  /// Opens `path` for writing; `shown` is the name that messages use. Throws Error.
+  OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint = {});
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Format into this, then call flush_if_large().
+  fmt::memory_buffer& buffer() { return buffer_; }
+  void append(std::string_view text);
+  void flush_if_large();
+
+  /// Writes what is left and closes; only after this is the file known to be whole. Throws Error.
+  void close();
+
+ private:
+  void flush();
+
+  std::string shown_;
+  Checkpoint checkpoint_;
+  int descriptor_ = -1;
+  fmt::memory_buffer buffer_;
+};
+
+}  // namespace bondstatic

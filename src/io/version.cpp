@@ -1,0 +1,9 @@
+#include "bondstatic/version.hpp"
+
+namespace bondstatic {
+
+std::string version() {
+  return BONDSTATIC_VERSION;
+}
+
+}  // namespace bondstatic

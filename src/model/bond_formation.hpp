@@ -1,0 +1,28 @@
+// Which particles are bonded when bonds form: once, by distance.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bondstatic/model.hpp"
+
+namespace bondstatic {
+
+/// A bond forms where |x_b - x_a| <= factor (Ra + Rb) + gap, within 1e-9 (Ra + Rb): factor 1 with PFC's
+/// reference gap, or gap 0 with EDEM's and YADE's contact radius factor.
+struct Formation {
+  double gap = 0;
+  double contact_radius_factor = 1;
+};
+
+/// Pairs of model positions, ids ascending within a pair and sorted by (id of a, id of b). Where `between` is
+/// given, one end lies in its first and the other in its second list (ascending positions; the lists may
+/// overlap or be equal).
+using PositionLists = std::pair<std::vector<Index>, std::vector<Index>>;
+std::vector<std::pair<Index, Index>> bonded_pairs(std::span<const Particle> particles,
+                                                  const Formation& formation,
+                                                  const PositionLists* between = nullptr);
+
+}  // namespace bondstatic

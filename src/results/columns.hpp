@@ -1,0 +1,18 @@
+// The answer of one load case as named columns, for the tables and for model.vtu.
+#pragma once
+
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "bondstatic/statics.hpp"
+#include "io/column.hpp"
+
+namespace bondstatic {
+
+std::vector<Column> particle_columns(const Model& model, const LoadCaseResult& result);
+std::vector<Column> bond_columns(const Model& model, const LoadCaseResult& result);
+
+/// id, radius; displacement, rotation, reaction_force, reaction_moment as vectors.
+std::vector<Column> point_data(const Model& model, const LoadCaseResult& result);
+
+}  // namespace bondstatic

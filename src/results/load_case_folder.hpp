@@ -1,0 +1,14 @@
+// Where the tables of a load case lie.
+#pragma once
+
+#include <string>
+
+#include "bondstatic/model.hpp"
+
+namespace bondstatic {
+
+/// "" for the only load case, otherwise a folder called like it. Characters that would make it a path, a
+/// hidden folder or something unprintable stand as %XX, so that no two names share a folder.
+std::string load_case_folder(const Model& model, const std::string& name);
+
+}  // namespace bondstatic

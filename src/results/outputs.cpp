@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bondstatic/error.hpp"
+#include "bondstatic/output.hpp"
+#include "results/apparent_young.hpp"
+#include "results/quantities.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+[[noreturn]] void refuse(const Output& output, const std::string& reason, const std::string& cure) {
+  throw Error(ExitCode::invalid_input,
+              fmt::format("output \"{}\": {}\n    cure: {}", output.name, reason, cure));
+}
+
+const LoadCaseResult& load_case_of(const Output& output, const StaticSolution& solution) {
+  for (const LoadCaseResult& result : solution.cases)
+    if (result.name == output.load_case) return result;
+  if (output.load_case.empty() && solution.cases.size() == 1) return solution.cases.front();
+  std::string names;
+  for (const LoadCaseResult& result : solution.cases)
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", result.name);
+  refuse(output, fmt::format("no load case \"{}\"", output.load_case), "set case to one of " + names);
+}
+
+/// What was left out has no value and does not count; NaN where nothing is left.
+double reduce(const Output& output, std::vector<double> values) {
+  if (output.reduce == Output::Reduce::value) {
+    if (values.size() != 1)
+      refuse(output, fmt::format("\"{}\" at {} places is not one value", output.of, values.size()),
+             "select one, or set reduce to \"sum\", \"mean\" or \"max\"");
+    return values.front();
+  }
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return not_given;
+  if (output.reduce == Output::Reduce::max) return *std::max_element(values.begin(), values.end());
+  long double sum = 0;
+  for (const double value : values) sum += value;
+  if (output.reduce == Output::Reduce::mean) sum /= static_cast<long double>(values.size());
+  return double(sum);
+}
+
+double quantity_of(const Output& output, const Model& model, const LoadCaseResult& result) {
+  if (output.of == "apparent_young") return apparent_young(model, result, output);
+  // "energy" is a column of bonds as well: with a selection it is theirs.
+  if (output.of == "energy" && output.at.empty()) return result.energy;
+  if (output.of == "work") return result.work;
+
+  std::vector<double> values;
+  if (const ParticleQuantity* quantity = find_particle_quantity(output.of)) {
+    for (const Index p : output.at) {
+      const std::size_t i = std::size_t(p);
+      values.push_back(quantity->of({model.particles[i], result.displacement[i], result.reaction[i]}));
+    }
+  } else if (const BondQuantity* bond_quantity = find_bond_quantity(output.of)) {
+    for (const Index b : output.at) values.push_back(bond_quantity->of(result.bonds[std::size_t(b)]));
+  } else {
+    refuse(output, fmt::format("no quantity \"{}\"", output.of),
+           "name a column of particles.csv or bonds.csv, energy, work or apparent_young");
+  }
+  return reduce(output, std::move(values));
+}
+
+}  // namespace
+
+const std::vector<Quantity>& output_quantities() {
+  static const std::vector<Quantity> quantities = [] {
+    std::vector<Quantity> all;
+    for (const ParticleQuantity& quantity : particle_quantities())
+      all.push_back({quantity.name, Quantity::Where::particle, quantity.meaning});
+    for (const BondQuantity& quantity : bond_quantities())
+      all.push_back({quantity.name, Quantity::Where::bond, quantity.meaning});
+    all.push_back({"energy", Quantity::Where::model, "strain energy of all bonds"});
+    all.push_back({"work", Quantity::Where::model, "work of the loads and of moved supports"});
+    all.push_back({"apparent_young", Quantity::Where::model,
+                   "F H / (A d) of a specimen between the platens `base` and `at`"});
+    return all;
+  }();
+  return quantities;
+}
+
+double OutputValue::relative_error() const {
+  if (!expected) return not_given;
+  return *expected == 0 ? std::abs(value) : std::abs(value - *expected) / std::abs(*expected);
+}
+
+std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSolution& solution,
+                                          const std::vector<Output>& outputs) {
+  std::vector<OutputValue> values;
+  for (const Output& output : outputs) {
+    const double value = output.scale * quantity_of(output, model, load_case_of(output, solution));
+    values.push_back({output.name, value, output.expected, output.tolerance, output.source});
+  }
+  return values;
+}
+
+}  // namespace bondstatic

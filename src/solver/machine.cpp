@@ -1,0 +1,123 @@
+#include "solver/machine.hpp"
+
+#include <dlfcn.h>
+#include <omp.h>
+#include <sched.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace bondstatic {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// "max" or anything that is no number means: no limit.
+double number_in(const std::string& path) {
+  std::ifstream file(path);
+  double value = 0;
+  return file >> value ? value : unlimited;
+}
+
+// Field of a "Name:   123 kB" file such as /proc/meminfo, bytes.
+double kilobyte_field(const std::string& path, const std::string& field) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(field + ":", 0) == 0) return 1024 * std::strtod(line.c_str() + field.size() + 1, nullptr);
+  return unlimited;
+}
+
+// Folders of this process's control group and of the groups above it: a limit holds for all below.
+template <class Visit>
+void for_each_control_group(const std::string& controller, const std::string& mount, Visit visit) {
+  std::ifstream file("/proc/self/cgroup");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string number, names, path;
+    std::getline(fields, number, ':');
+    std::getline(fields, names, ':');
+    std::getline(fields, path);
+    if (("," + names + ",").find("," + controller + ",") == std::string::npos) continue;
+    for (;; path = path.substr(0, path.find_last_of('/'))) {
+      visit(mount + path);
+      if (path.empty() || path == "/") break;
+    }
+  }
+}
+
+double control_group_memory() {
+  double left = unlimited;
+  for_each_control_group("", "/sys/fs/cgroup", [&left](const std::string& folder) {  // version 2
+    const double limit = number_in(folder + "/memory.max");
+    if (limit < unlimited) left = std::min(left, limit - number_in(folder + "/memory.current"));
+  });
+  for_each_control_group("memory", "/sys/fs/cgroup/memory", [&left](const std::string& folder) {  // version 1
+    const double limit = number_in(folder + "/memory.limit_in_bytes");
+    if (limit < 0x1p62) left = std::min(left, limit - number_in(folder + "/memory.usage_in_bytes"));
+  });
+  return left;
+}
+
+double control_group_cores() {
+  double cores = unlimited;
+  for_each_control_group("", "/sys/fs/cgroup", [&cores](const std::string& folder) {
+    std::ifstream file(folder + "/cpu.max");
+    double quota = 0, period = 0;
+    if (file >> quota >> period && period > 0) cores = std::min(cores, quota / period);
+  });
+  return cores;
+}
+
+using SetThreads = void (*)(int);
+using GetThreads = int (*)();
+
+template <class Function>
+Function blas_function(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+}  // namespace
+
+int cores_at_hand() {
+  cpu_set_t set;
+  int cores = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : omp_get_num_procs();
+  const double quota = control_group_cores();
+  if (quota < cores) cores = int(std::ceil(quota));
+  return std::max(1, cores);
+}
+
+double available_memory() {
+  double left = std::min(kilobyte_field("/proc/meminfo", "MemAvailable"), control_group_memory());
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    left = std::min(left, double(limit.rlim_cur) - kilobyte_field("/proc/self/status", "VmSize"));
+  return std::max(0.0, left);
+}
+
+double peak_resident_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * double(usage.ru_maxrss);
+}
+
+SolverThreads::SolverThreads(int threads) : omp_levels_(omp_get_max_active_levels()), blas_threads_(0) {
+  omp_set_max_active_levels(0);
+  const auto get = blas_function<GetThreads>("openblas_get_num_threads");
+  const auto set = blas_function<SetThreads>("openblas_set_num_threads");
+  if (!get || !set) return;
+  blas_threads_ = get();
+  set(threads);
+}
+
+SolverThreads::~SolverThreads() {
+  omp_set_max_active_levels(omp_levels_);
+  if (blas_threads_ > 0) blas_function<SetThreads>("openblas_set_num_threads")(blas_threads_);
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,32 @@
+// What the machine gives: cores, memory, BLAS threads.
+#pragma once
+
+namespace bondstatic {
+
+/// Cores this process may use (affinity and control group), at least 1.
+int cores_at_hand();
+
+/// Bytes that can still be taken: the least of the machine's available memory, what the control group leaves,
+/// and the address space limit.
+double available_memory();
+
+/// Largest resident size of this process so far, bytes.
+double peak_resident_memory();
+
+/// Keeps the thread trap of SuiteSparse shut while it lives: CHOLMOD 5.12 opens OpenMP regions of four
+/// threads whatever one asks for, which on a busy machine makes it up to a hundred times slower; active level
+/// 0 turns each into one thread. OpenBLAS keeps threads of its own, set to `threads`. Both are put back on
+/// destruction.
+class SolverThreads {
+ public:
+  explicit SolverThreads(int threads);
+  ~SolverThreads();
+  SolverThreads(const SolverThreads&) = delete;
+  SolverThreads& operator=(const SolverThreads&) = delete;
+
+ private:
+  int omp_levels_;
+  int blas_threads_;
+};
+
+}  // namespace bondstatic

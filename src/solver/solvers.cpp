@@ -1,0 +1,48 @@
+// The one table of backends, best first.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bondstatic/error.hpp"
+#include "bondstatic/linear_solver.hpp"
+#include "solver/backends.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+struct Backend {
+  SolverInfo info;
+  std::unique_ptr<LinearSolver> (*make)(int threads);
+};
+
+const std::vector<Backend>& backends() {
+  static const std::vector<Backend> table{
+#ifdef BONDSTATIC_WITH_CHOLMOD
+      {{"cholmod", "CHOLMOD, supernodal Cholesky on BLAS, ordered on particles by METIS or AMD"},
+       make_cholmod},
+#endif
+      {{"eigen", "Eigen's SimplicialLDLT, ordered on particles by AMD; for small models"}, make_eigen},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::vector<SolverInfo> available_solvers() {
+  std::vector<SolverInfo> list;
+  for (const Backend& backend : backends()) list.push_back(backend.info);
+  return list;
+}
+
+std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads) {
+  std::vector<std::string> names{"auto"};
+  for (const Backend& backend : backends()) {
+    if (name == backend.info.name || name == "auto") return backend.make(threads);
+    names.push_back(backend.info.name);
+  }
+  throw Error(ExitCode::invalid_input,
+              fmt::format("solver \"{}\" is not in this build\n    cure: choose one of {}", name,
+                          fmt::join(names, ", ")));
+}
+
+}  // namespace bondstatic

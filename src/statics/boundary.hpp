@@ -1,0 +1,20 @@
+// Supports and loads of one load case, spread over the particles.
+#pragma once
+
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "bondstatic/network.hpp"
+
+namespace bondstatic {
+
+struct Boundary {
+  std::vector<std::uint8_t> free;   ///< masks as in FreeDofs
+  std::vector<Vector6> prescribed;  ///< motion where not free, zero elsewhere
+  std::vector<Vector6> load;
+};
+
+/// Throws Error (invalid_input) where two supports prescribe one degree of freedom differently.
+Boundary boundary_of(const Model& model, Index load_case);
+
+}  // namespace bondstatic

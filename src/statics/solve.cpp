@@ -1,0 +1,178 @@
+// The static solve told as numbered steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bondstatic/error.hpp"
+#include "bondstatic/mechanism.hpp"
+#include "bondstatic/statics.hpp"
+#include "solver/machine.hpp"
+#include "statics/recover.hpp"
+#include "statics/stopwatch.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+// Load cases that hold the same degrees of freedom share one factorisation.
+struct Group {
+  std::vector<std::size_t> cases;
+  FreeDofs dofs;
+  std::vector<bool> left_out;
+};
+
+std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
+  std::vector<Group> groups;
+  for (std::size_t c = 0; c < boundaries.size(); ++c) {
+    const auto same = [&](const Group& g) { return boundaries[g.cases.front()].free == boundaries[c].free; };
+    auto group = std::find_if(groups.begin(), groups.end(), same);
+    if (group == groups.end()) group = groups.insert(groups.end(), Group{});
+    group->cases.push_back(c);
+  }
+  for (Group& group : groups) {
+    group.dofs = number_free_dofs(boundaries[group.cases.front()].free);
+    group.left_out.assign(boundaries[group.cases.front()].free.size(), false);
+  }
+  return groups;
+}
+
+// A body that nothing holds is left out as a whole: its particles get no unknowns.
+void drop_unsupported(const Model& model, const BondNetwork& network, Group& group, StaticReport& report) {
+  const auto bodies = unsupported_bodies(network, group.dofs);
+  std::vector<std::uint8_t> free = group.dofs.free;
+  for (const auto& body : bodies) {
+    for (const Index p : body) {
+      group.left_out[std::size_t(p)] = true;
+      free[std::size_t(p)] = 0;
+    }
+    if (std::find(report.dropped.begin(), report.dropped.end(), body) == report.dropped.end())
+      report.dropped.push_back(body);
+  }
+  if (std::find(group.left_out.begin(), group.left_out.end(), false) == group.left_out.end())
+    throw MechanismError(model, find_mechanisms(model, network, group.dofs, {}));
+  group.dofs = number_free_dofs(std::move(free));
+}
+
+// A load that is left out with its particle is said, not lost.
+void warn_of_lost_loads(const Model& model, const Group& group, const std::vector<Boundary>& boundaries,
+                        StaticReport& report) {
+  for (const std::size_t c : group.cases) {
+    Vector3 lost = Vector3::Zero();
+    Index particles = 0;
+    for (std::size_t p = 0; p < group.left_out.size(); ++p) {
+      if (!group.left_out[p] || boundaries[c].load[p].isZero(0)) continue;
+      lost += boundaries[c].load[p].head<3>();
+      ++particles;
+    }
+    if (particles == 0) continue;
+    const std::string where =
+        model.load_cases[c].empty() ? "" : " of load case \"" + model.load_cases[c] + "\"";
+    report.warnings.push_back(
+        fmt::format("loads{} on {} dropped particles are not carried, force ({:.6g}, {:.6g}, {:.6g}) in all",
+                    where, particles, lost.x(), lost.y(), lost.z()));
+  }
+}
+
+std::string gigabytes(double bytes) {
+  return fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+void refuse_what_does_not_fit(const AnalysisReport& analysis, const StaticOptions& options) {
+  const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory();
+  if (analysis.predicted_bytes <= limit) return;
+  throw MemoryError(
+      fmt::format("the solve of {} unknowns needs {} of memory, {} are at hand\n"
+                  "    cure: use a machine with more memory, or a smaller model",
+                  analysis.unknowns, gigabytes(analysis.predicted_bytes), gigabytes(limit)));
+}
+
+std::string unknown_name(const Model& model, const FreeDofs& dofs, Index unknown) {
+  std::size_t p = 0;
+  while (dofs.first[p + 1] <= unknown) ++p;
+  return fmt::format("particle {}", model.particles[p].id);
+}
+
+void check_pivots(const Model& model, const FreeDofs& dofs, const FactorReport& factor) {
+  // A pivot below the rounding of its own diagonal entry is rounding itself.
+  if (factor.pivot_ratio > 0x1p-53) return;
+  const std::string where = factor.broken_at >= 0 ? " at " + unknown_name(model, dofs, factor.broken_at) : "";
+  throw AccuracyError(fmt::format(
+      "the stiffness matrix is numerically singular: the factorisation broke down{} (pivot ratio {:.1e})\n"
+      "    cure: look for stiffness that differs by more than 15 decades between bonds, or for slender parts "
+      "that "
+      "are almost a mechanism",
+      where, factor.pivot_ratio));
+}
+
+}  // namespace
+
+StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
+  StaticSolution solution;
+  StaticReport& report = solution.report;
+  Stopwatch timed(report.phases, options.progress);
+  report.threads = options.threads > 0 ? options.threads : cores_at_hand();
+  report.solver = options.solver == "auto" ? available_solvers().front().name : options.solver;
+
+  // 1. What each bond is: C, contact point, section.
+  const auto properties = timed("bonds", [&] { return bond_properties(model); });
+  const BondNetwork network = bond_network(model, properties);
+  const Incidence incidence = link_incidence(network);
+
+  // 2. What is held and what is loaded, one boundary a load case; cases with the same supports go together.
+  std::vector<Boundary> boundaries;
+  for (std::size_t c = 0; c < model.load_cases.size(); ++c)
+    boundaries.push_back(boundary_of(model, Index(c)));
+  std::vector<Group> groups = group_by_supports(boundaries);
+  solution.cases.resize(boundaries.size());
+
+  const auto solver = make_solver(options.solver, report.threads);
+  for (Group& group : groups) {
+    // 3. Motions that cost no energy never reach the solver.
+    timed("mechanisms", [&] {
+      if (options.unsupported == Unsupported::drop) drop_unsupported(model, network, group, report);
+      auto mechanisms = find_mechanisms(model, network, group.dofs, group.left_out);
+      if (!mechanisms.empty()) throw MechanismError(model, std::move(mechanisms));
+    });
+    warn_of_lost_loads(model, group, boundaries, report);
+
+    // 4. Order, predict, assemble, factorise.
+    if (group.dofs.unknowns() > 0) {
+      const AnalysisReport analysis = timed("analysis", [&] { return solver->analyse(network, group.dofs); });
+      if (analysis.factor_entries >= report.analysis.factor_entries) report.analysis = analysis;
+      refuse_what_does_not_fit(analysis, options);
+    }
+    FactorReport factor;
+    if (group.dofs.unknowns() > 0) {
+      factor = timed("factorisation", [&] { return solver->factorise(network, group.dofs); });
+      ++report.factorisations;
+      check_pivots(model, group.dofs, factor);
+    }
+
+    // 5. Solve and refine until the last digit stands.
+    std::vector<const Boundary*> loads;
+    for (const std::size_t c : group.cases) loads.push_back(&boundaries[c]);
+    const auto refined = timed("refinement", [&] {
+      return solve_refined(network, incidence, group.dofs, loads, *solver, factor.pivot_ratio,
+                           report.threads);
+    });
+
+    // 6. Reactions, resultants, energy, balances.
+    timed("recovery", [&] {
+      for (std::size_t i = 0; i < group.cases.size(); ++i) {
+        LoadCaseResult& result = solution.cases[group.cases[i]];
+        result = recover(model, network, incidence, properties, *loads[i], group.left_out, refined[i],
+                         report.threads);
+        result.name = model.load_cases[group.cases[i]];
+        if (!(result.accuracy.backward_error <= options.tolerance))
+          throw AccuracyError(
+              fmt::format("the backward error {:.2e} is above the asked {:.2e}\n    cure: ask for less "
+                          "([solve] tolerance), or look for a part that is almost a mechanism",
+                          result.accuracy.backward_error, options.tolerance));
+      }
+    });
+  }
+  report.peak_bytes = peak_resident_memory();
+  return solution;
+}
+
+}  // namespace bondstatic

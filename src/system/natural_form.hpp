@@ -1,0 +1,62 @@
+// The operator K = sum B^T C B applied bond by bond, never assembled. Entries of an assembled K are rounded
+// sums in which the rigid modes no longer cancel; here relative motion is formed first, so that a long-double
+// evaluation knows the internal forces of slender or strongly contrasted models to far more digits than K
+// has.
+#pragma once
+
+#include <vector>
+
+#include "system/incidence.hpp"
+
+namespace bondstatic {
+
+/// Loops shorter than this run on one thread: waking the others would take longer.
+constexpr Index worth_threads = 4000;
+
+template <class Scalar>
+using BodyVectors = std::vector<Vector6T<Scalar>>;  ///< one motion or force a body
+
+/// q = C B u of every link, global axes.
+template <class Scalar>
+BodyVectors<Scalar> link_resultants(const BondNetwork& network, const BodyVectors<Scalar>& motion,
+                                    int threads) {
+  const Index count = Index(network.links.size());
+  BodyVectors<Scalar> q(network.links.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && count > worth_threads)
+  for (Index k = 0; k < count; ++k) {
+    const Link& link = network.links[std::size_t(k)];
+    const auto delta =
+        relative_motion<Scalar>(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    q[std::size_t(k)] = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link), delta);
+  }
+  return q;
+}
+
+/// B^T q gathered at every body: the force that must act on the body from outside.
+template <class Scalar>
+BodyVectors<Scalar> gather_forces(const BondNetwork& network, const Incidence& incidence,
+                                  const BodyVectors<Scalar>& q, int threads) {
+  BodyVectors<Scalar> force(std::size_t(network.bodies));
+#pragma omp parallel for schedule(static) \
+    num_threads(threads) if (threads > 1 && network.bodies > worth_threads)
+  for (Index p = 0; p < network.bodies; ++p) {
+    Vector6T<Scalar> sum = Vector6T<Scalar>::Zero();
+    for (const Index k : incidence.of(p)) {
+      const Link& link = network.links[std::size_t(k)];
+      sum -= link.a == p ? force_on_a<Scalar>(link, q[std::size_t(k)])
+                         : force_on_b<Scalar>(link, q[std::size_t(k)]);
+    }
+    force[std::size_t(p)] = sum;
+  }
+  return force;
+}
+
+/// Sum over the links of |B^T| |C| |B| |u|, taken component by component in global axes: what the terms of
+/// B^T C B u would add up to if none cancelled.
+BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence& incidence,
+                                     const BodyVectors<double>& motion, int threads);
+
+/// |B| |u| of a link: relative displacement and rotation without cancellation.
+Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b);
+
+}  // namespace bondstatic

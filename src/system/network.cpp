@@ -1,0 +1,46 @@
+#include "bondstatic/network.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace bondstatic {
+
+namespace {
+
+// Half the mean branch is the lever arm by which rotations move a contact point. A power of two scales
+// without rounding, and hardly ever depends on the order of the sum.
+double rotation_length(const Model& model) {
+  double sum = 0;
+  for (const Bond& bond : model.bonds) sum += bond.branch.norm();
+  if (!(sum > 0)) return 1;
+  const double mean = 0.5 * sum / double(model.bonds.size());
+  return std::exp2(std::round(std::log2(mean)));
+}
+
+}  // namespace
+
+BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties) {
+  BondNetwork network;
+  network.bodies = Index(model.particles.size());
+  network.rotation_length = rotation_length(model);
+  network.links.resize(model.bonds.size());
+  for (std::size_t k = 0; k < model.bonds.size(); ++k) {
+    const Bond& bond = model.bonds[k];
+    SectionStiffness stiffness = properties[k].stiffness;
+    if (!properties[k].moments_fed_back) stiffness.kt = stiffness.kb = 0;
+    network.links[k] = {bond.a, bond.b, bond.branch, properties[k].fraction, stiffness};
+  }
+  return network;
+}
+
+FreeDofs number_free_dofs(std::vector<std::uint8_t> free) {
+  FreeDofs dofs;
+  dofs.first.resize(free.size() + 1);
+  dofs.first[0] = 0;
+  for (std::size_t p = 0; p < free.size(); ++p)
+    dofs.first[p + 1] = dofs.first[p] + std::popcount(std::uint8_t(free[p] & 0x3f));
+  dofs.free = std::move(free);
+  return dofs;
+}
+
+}  // namespace bondstatic
