@@ -1,0 +1,131 @@
+// Benchmarks of the static solve, as a Markdown table: whole process for the reference cantilever, and a
+// cubic lattice of 8,000 particles against the naive version and on a busy machine. Ratios are formed within
+// one run.
+#include "bondstatic/statics.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "bench/busy.hpp"
+#include "bench/naive.hpp"
+#include "support/models.hpp"
+
+namespace bondstatic::bench {
+namespace {
+
+double seconds_of(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median_seconds(int repeats, const std::function<void()>& work) {
+  std::vector<double> seconds;
+  for (int i = 0; i < repeats; ++i) seconds.push_back(seconds_of(work));
+  std::nth_element(seconds.begin(), seconds.begin() + repeats / 2, seconds.end());
+  return seconds[std::size_t(repeats / 2)];
+}
+
+void run_program(const std::string& case_file) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!freopen("/dev/null", "w", stdout)) _exit(1);
+    execl(BONDSTATIC_PROGRAM, "bondstatic", "solve", case_file.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (status != 0) throw std::runtime_error("the program failed on " + case_file);
+}
+
+// Simple cubic, touching particles, foot held, head pushed down and aside.
+Model cubic_lattice(int edge) {
+  using namespace bondstatic::testing;
+  Model model;
+  model.blocks = {block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}, {"radius", 0.2}})};
+  for (int x = 0; x < edge; ++x)
+    for (int y = 0; y < edge; ++y)
+      for (int z = 0; z < edge; ++z) add_particle(model, 0.4 * Vector3(x, y, z), 0.2);
+  const Index steps[3] = {Index(edge) * edge, edge, 1};
+  for (Index p = 0; p < Index(model.particles.size()); ++p)
+    for (const Index step : steps) {
+      const bool last = (p / step) % edge == edge - 1;
+      if (last) continue;
+      const Vector3 branch =
+          model.particles[std::size_t(p + step)].position - model.particles[std::size_t(p)].position;
+      model.bonds.push_back(
+          {Index(model.bonds.size()) + 1, p, p + step, branch, 0, Index(model.bonds.size())});
+    }
+  for (Index p = 0; p < Index(model.particles.size()); p += edge) {
+    fix_all(model, p);
+    load(model, p + edge - 1, vector6(1, 0, -1));
+  }
+  return model;
+}
+
+double phase_seconds(const StaticReport& report, const std::string& name) {
+  for (const Phase& phase : report.phases)
+    if (phase.name == name) return phase.seconds;
+  return 0;
+}
+
+void run() {
+  const std::string cantilever = BONDSTATIC_SOURCE_DIR "/cases/cantilever/case.toml";
+  run_program(cantilever);
+  fmt::print("| what | figure |\n|---|---|\n");
+  fmt::print("| reference cantilever, whole process | {:.1f} ms (median of 21) |\n",
+             1e3 * median_seconds(21, [&] { run_program(cantilever); }));
+
+  const Model lattice = cubic_lattice(20);
+  const int cores = int(sysconf(_SC_NPROCESSORS_ONLN));
+  std::vector<double> idle;
+  std::vector<int> thread_counts{1};
+  for (int t = 2; t <= cores; t *= 2) thread_counts.push_back(t);
+  double one_thread = 0;
+  for (const int threads : thread_counts) {
+    StaticOptions options;
+    options.threads = threads;
+    StaticReport report;
+    idle.push_back(median_seconds(5, [&] { report = solve_statics(lattice, options).report; }));
+    if (threads == 1) one_thread = idle.back();
+    fmt::print(
+        "| 20x20x20 lattice, {} unknowns, {} thread{} | {:.2f} s, factorisation {:.2f} s at {:.1f} Gflop/s "
+        "|\n",
+        report.analysis.unknowns, threads, threads == 1 ? "" : "s", idle.back(),
+        phase_seconds(report, "factorisation"),
+        1e-9 * report.analysis.factor_flops / phase_seconds(report, "factorisation"));
+  }
+  constexpr int others = 4;
+  {
+    const BusyProcesses busy(others);
+    for (std::size_t i = 0; i < thread_counts.size(); ++i) {
+      StaticOptions options;
+      options.threads = thread_counts[i];
+      const double fair = std::max(1.0, double(thread_counts[i] + others) / cores);
+      const double seconds = median_seconds(5, [&] { solve_statics(lattice, options); });
+      fmt::print(
+          "| the same beside {} busy processes, {} thread{} | {:.2f} s, {:.2f} of the fair share ({:.2f} x "
+          "idle) |\n",
+          others, thread_counts[i], thread_counts[i] == 1 ? "" : "s", seconds, seconds / idle[i] / fair,
+          fair);
+    }
+  }
+  const double naive = seconds_of([&] { solve_naively(lattice); });
+  fmt::print(
+      "| the naive version (triplets, scalar ordering, SimplicialLDLT) | {:.1f} s, {:.0f} times as long as 1 "
+      "thread |\n",
+      naive, naive / one_thread);
+}
+
+}  // namespace
+}  // namespace bondstatic::bench
+
+int main() {
+  bondstatic::bench::run();
+  return 0;
+}

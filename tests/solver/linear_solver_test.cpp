@@ -1,0 +1,115 @@
+// The contract of linear_solver.hpp, for every backend of this build.
+#include "bondstatic/linear_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+#include "bondstatic/error.hpp"
+#include "support/models.hpp"
+#include "system/assemble.hpp"
+
+namespace bondstatic::testing {
+namespace {
+
+struct Problem {
+  BondNetwork network;
+  FreeDofs dofs;
+
+  explicit Problem(int edge, double young = 5e9) {
+    std::mt19937_64 random(7);
+    const Model model =
+        random_packing(random, edge, block("timoshenko", {{"young", young}, {"poisson", 0.2}}));
+    network = bond_network(model, bond_properties(model));
+    std::vector<std::uint8_t> free(model.particles.size(), 0x3f);
+    free[0] = 0;
+    free[1] = 0b101101;
+    free.back() = 0b000111;
+    dofs = number_free_dofs(std::move(free));
+  }
+
+  Eigen::MatrixXd matrix() const {
+    const Incidence incidence = link_incidence(network);
+    const BodyGraph graph = body_graph(network, incidence);
+    SparseMatrix k = stiffness_pattern(graph, dofs);
+    assemble(network, incidence, graph, dofs, 1, k);
+    const Eigen::MatrixXd lower(k);
+    return lower.selfadjointView<Eigen::Lower>();
+  }
+};
+
+class Backend : public ::testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<LinearSolver> solver = make_solver(GetParam(), 2);
+};
+
+TEST_P(Backend, SolvesAllColumnsAtOnce) {
+  const Problem problem(4);
+  const AnalysisReport report = solver->analyse(problem.network, problem.dofs);
+  EXPECT_EQ(report.unknowns, problem.dofs.unknowns());
+  EXPECT_GE(report.factor_entries, report.matrix_entries);
+  EXPECT_GT(report.factor_flops, double(report.factor_entries));
+  EXPECT_GT(report.predicted_bytes, 8.0 * double(report.factor_entries));
+  const FactorReport factor = solver->factorise(problem.network, problem.dofs);
+  EXPECT_EQ(factor.broken_at, -1);
+  EXPECT_GT(factor.pivot_ratio, 1e-6);
+  EXPECT_LE(factor.pivot_ratio, 1);
+  const Eigen::MatrixXd k = problem.matrix(), exact = Eigen::MatrixXd::Random(k.rows(), 3);
+  const Eigen::MatrixXd found = solver->solve(k * exact);
+  EXPECT_LT((found - exact).lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
+TEST_P(Backend, TakesChangedValuesOnOneAnalysis) {
+  const Problem soft(3, 1e9), stiff(3, 4e9);
+  solver->analyse(soft.network, soft.dofs);
+  const Eigen::MatrixXd load = Eigen::MatrixXd::Random(soft.dofs.unknowns(), 1);
+  solver->factorise(soft.network, soft.dofs);
+  const Eigen::MatrixXd first = solver->solve(load);
+  solver->factorise(stiff.network, stiff.dofs);
+  EXPECT_LT((4 * solver->solve(load) - first).lpNorm<Eigen::Infinity>(),
+            1e-12 * first.lpNorm<Eigen::Infinity>());
+}
+
+TEST_P(Backend, AnalysesAnewWhereSupportsChange) {
+  for (const int edge : {3, 2, 4}) {
+    const Problem problem(edge);
+    solver->analyse(problem.network, problem.dofs);
+    solver->factorise(problem.network, problem.dofs);
+    const Eigen::MatrixXd k = problem.matrix(), exact = Eigen::MatrixXd::Ones(k.rows(), 1);
+    EXPECT_LT((solver->solve(k * exact) - exact).lpNorm<Eigen::Infinity>(), 1e-10);
+  }
+}
+
+TEST_P(Backend, SaysWhereTheFactorisationBreaks) {
+  Problem problem(2);
+  for (Link& link : problem.network.links)
+    if (link.a == 5 || link.b == 5) link.stiffness = {-1, -1, -1, -1, 0};  // not a stiffness: K is indefinite
+  solver->analyse(problem.network, problem.dofs);
+  const FactorReport factor = solver->factorise(problem.network, problem.dofs);
+  EXPECT_EQ(factor.pivot_ratio, 0);
+  EXPECT_GE(factor.broken_at, 0);
+  EXPECT_LT(factor.broken_at, problem.dofs.unknowns());
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const SolverInfo& info : available_solvers()) list.push_back(info.name);
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(LinearSolver, Backend, ::testing::ValuesIn(names()),
+                         [](const auto& chosen) { return chosen.param; });
+
+TEST(LinearSolver, UnknownNameIsAnsweredWithThoseOfThisBuild) {
+  try {
+    make_solver("pardiso", 1);
+    FAIL() << "made a solver that does not exist";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::invalid_input);
+    for (const std::string& name : names())
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bondstatic::testing

@@ -1,0 +1,179 @@
+// What a static solve promises beside its numbers: threads, memory, load cases, bodies left out, failures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bondstatic/error.hpp"
+#include "bondstatic/mechanism.hpp"
+#include "bondstatic/statics.hpp"
+#include "support/models.hpp"
+
+namespace bondstatic::testing {
+namespace {
+
+BondBlock beam() {
+  return block("timoshenko", {{"young", 5e9}, {"poisson", 0.2}});
+}
+
+Model loaded_packing(int edge) {
+  std::mt19937_64 random(11);
+  Model model = random_packing(random, edge, beam());
+  const Index last = Index(model.particles.size()) - 1;
+  for (Index p = 0; p < edge * edge; ++p) fix_all(model, p);
+  load(model, last, vector6(1e3, -2e3, 3e3, 10, 20, 30));
+  return model;
+}
+
+bool same_bits(const LoadCaseResult& a, const LoadCaseResult& b) {
+  for (std::size_t p = 0; p < a.displacement.size(); ++p)
+    if (a.displacement[p] != b.displacement[p] || a.reaction[p] != b.reaction[p]) return false;
+  for (std::size_t k = 0; k < a.bonds.size(); ++k)
+    if (a.bonds[k].force != b.bonds[k].force || a.bonds[k].energy != b.bonds[k].energy) return false;
+  return true;
+}
+
+StaticOptions with(const std::string& solver, int threads) {
+  StaticOptions options;
+  options.solver = solver;
+  options.threads = threads;
+  return options;
+}
+
+TEST(Solve, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Model model = loaded_packing(17);  // loops long enough to be shared out
+  const auto one = solve_statics(model, with("auto", 1)).cases[0];
+  for (const int threads : {2, 3, 4}) {
+    const auto other = solve_statics(model, with("auto", threads)).cases[0];
+    EXPECT_TRUE(same_bits(one, other)) << threads << " threads";
+  }
+}
+
+TEST(Solve, GivesTheSameAnswerFromEverySolver) {
+  const Model model = loaded_packing(5);
+  const auto reference = solve_statics(model, {}).cases[0];
+  for (const SolverInfo& info : available_solvers())
+    EXPECT_TRUE(same_bits(reference, solve_statics(model, with(info.name, 1)).cases[0])) << info.name;
+}
+
+TEST(Solve, SharesOneFactorisationBetweenLoadCases) {
+  Model model = loaded_packing(3);
+  model.load_cases = {"one", "two", "three"};
+  model.loads.clear();
+  for (Index c = 0; c < 3; ++c) load(model, 26, vector6(1, double(c), 0), c);
+  const auto solution = solve_statics(model, {});
+  EXPECT_EQ(solution.report.factorisations, 1);
+  ASSERT_EQ(solution.cases.size(), 3u);
+  EXPECT_EQ(solution.cases[1].name, "two");
+
+  model.supports.push_back({20, {true, true, true, true, true, true}, Vector6::Zero(), 2});
+  const auto held = solve_statics(model, {});
+  EXPECT_EQ(held.report.factorisations, 2);
+  EXPECT_TRUE(same_bits(held.cases[0], solution.cases[0]));
+  EXPECT_TRUE(held.cases[2].displacement[20].isZero(0));
+}
+
+TEST(Solve, PrescribedMotionDoesWork) {
+  Model model = chain(beam(), Vector3::Zero(), Vector3(1, 0, 0), 4, 0.125);
+  model.supports.push_back({4, {true, false, false, false, false, false}, vector6(1e-3, 0, 0), every_case});
+  const auto result = solve_statics(model, {}).cases[0];
+  for (Index i = 0; i <= 4; ++i)
+    EXPECT_NEAR(result.displacement[std::size_t(i)][0], 1e-3 * double(i) / 4, 1e-18);
+  const double force = 5e9 * 3.14159265358979323846 * 0.125 * 0.125 * 1e-3;
+  EXPECT_NEAR(result.reaction[4][0] / force, 1, 1e-15);
+  EXPECT_NEAR(result.reaction[0][0] / force, -1, 1e-15);
+  EXPECT_NEAR(result.energy / (0.5 * force * 1e-3), 1, 1e-15);
+  EXPECT_NEAR(result.work / (force * 1e-3), 1, 1e-15);
+  EXPECT_NEAR(result.bonds[2].normal_force / force, 1, 1e-15);
+}
+
+TEST(Solve, WholeModelHeldNeedsNoSolver) {
+  Model model = chain(beam(), Vector3::Zero(), Vector3(1, 0, 0), 1, 0.5);
+  fix_all(model, 1, vector6(0, 0, 0, 1e-3, 0, 0));
+  const auto solution = solve_statics(model, {});
+  EXPECT_EQ(solution.report.factorisations, 0);
+  EXPECT_GT(solution.cases[0].bonds[0].twisting_moment, 0);
+  EXPECT_NEAR(solution.cases[0].reaction[1][3] / solution.cases[0].reaction[0][3], -1, 1e-15);
+}
+
+TEST(Solve, RefusesWhatDoesNotFitBeforeItFails) {
+  StaticOptions options;
+  options.memory_limit = 1e6;
+  try {
+    solve_statics(loaded_packing(6), options);
+    FAIL() << "solved within a megabyte";
+  } catch (const MemoryError& error) {
+    EXPECT_EQ(error.code(), ExitCode::out_of_memory);
+    EXPECT_NE(std::string(error.what()).find("0.00 GB are at hand"), std::string::npos) << error.what();
+  }
+}
+
+Model with_rattlers() {
+  Model model = loaded_packing(3);
+  add_particle(model, Vector3(10, 0, 0), 0.5);
+  add_particle(model, Vector3(20, 0, 0), 0.5);
+  add_particle(model, Vector3(21, 0, 0), 0.5);
+  add_bond(model, 28, 29);
+  load(model, 29, vector6(0, 0, -7));
+  return model;
+}
+
+TEST(Solve, NamesUnsupportedBodies) {
+  try {
+    solve_statics(with_rattlers(), {});
+    FAIL() << "solved a floating body";
+  } catch (const MechanismError& error) {
+    EXPECT_EQ(error.mechanisms().size(), 2u);
+    EXPECT_NE(std::string(error.what()).find("28"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("29, 30"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Solve, LeavesOutUnsupportedBodiesWhereAskedAndSaysSo) {
+  StaticOptions options;
+  options.unsupported = Unsupported::drop;
+  const auto solution = solve_statics(with_rattlers(), options);
+  const std::vector<std::vector<Index>> dropped{{27}, {28, 29}};
+  EXPECT_EQ(solution.report.dropped, dropped);
+  ASSERT_EQ(solution.report.warnings.size(), 1u);
+  EXPECT_NE(solution.report.warnings[0].find("1 dropped particles"), std::string::npos)
+      << solution.report.warnings[0];
+  EXPECT_NE(solution.report.warnings[0].find("-7"), std::string::npos) << solution.report.warnings[0];
+  EXPECT_TRUE(std::isnan(solution.cases[0].displacement[28][0]));
+  EXPECT_TRUE(std::isnan(solution.cases[0].bonds.back().normal_force));
+  const auto alone = solve_statics(loaded_packing(3), {}).cases[0];
+  for (std::size_t p = 0; p < alone.displacement.size(); ++p)
+    EXPECT_EQ(solution.cases[0].displacement[p], alone.displacement[p]);
+}
+
+TEST(Solve, NothingSupportedIsAnErrorEvenWhereDroppingIsAllowed) {
+  Model model = loaded_packing(2);
+  model.supports.clear();
+  StaticOptions options;
+  options.unsupported = Unsupported::drop;
+  EXPECT_THROW(solve_statics(model, options), MechanismError);
+}
+
+TEST(Solve, ConflictingSupportsAreAnError) {
+  Model model = loaded_packing(2);
+  fix_all(model, 0, vector6(1e-3, 0, 0));
+  EXPECT_THROW(solve_statics(model, {}), Error);
+}
+
+// Two bonds in parallel to the ground, one of them 10^20 times stiffer in a direction that the load does not
+// need is fine; a chain hanging by a bond that vanishes in the rounding of its neighbours' stiffness is not.
+TEST(Solve, NumericallySingularEndsAsAccuracyError) {
+  Model model;
+  model.blocks = {block("generic", {{"kn", 1e-12}, {"ks", 1e-12}, {"kt", 1e-12}, {"kb", 1e-12}}),
+                  block("generic", {{"kn", 1e12}, {"ks", 1e12}, {"kt", 1e12}, {"kb", 1e12}})};
+  for (int i = 0; i < 4; ++i) add_particle(model, Vector3(0.3 * i, 0.2 * i, 0.1 * i), 0.2);
+  add_bond(model, 0, 1, 0);
+  add_bond(model, 1, 2, 1);
+  add_bond(model, 2, 3, 1);
+  fix_all(model, 0);
+  load(model, 3, vector6(1, 1, 1));
+  for (const SolverInfo& info : available_solvers())
+    EXPECT_THROW(solve_statics(model, with(info.name, 1)), AccuracyError) << info.name;
+}
+
+}  // namespace
+}  // namespace bondstatic::testing
