@@ -12,5 +12,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/bondstaticConfigVersion.c
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/bondstaticConfig.cmake ${PROJECT_BINARY_DIR}/bondstaticConfigVersion.cmake
         DESTINATION ${package_dir})
-install(FILES cmake/FindCHOLMOD.cmake DESTINATION ${package_dir})
+install(FILES cmake/FindCHOLMOD.cmake cmake/FindQD.cmake DESTINATION ${package_dir})
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

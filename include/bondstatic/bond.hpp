@@ -109,13 +109,22 @@ Matrix6 constitutive_matrix(const SectionStiffness& stiffness, const Vector3& ax
 /// k = B^T C B (12x12) in global axes; for the beam laws at fraction 1/2 this is [Chen2022] Eq. 14-25.
 Matrix12 stiffness_matrix(const Link& link);
 
+/// What a section carries at the contact point: normal force positive in tension, twisting moment about e_x,
+/// magnitudes of the shear force and of the bending moment.
+struct SectionForces {
+  double normal = 0;
+  double shear = 0;
+  double twisting = 0;
+  double bending = 0;
+};
+
 /// Largest normal and shear stress at the edge of a round section of radius r, tension positive ([EDEM-V2]):
-/// sigma = Fn/A + 2 Mt r/J, tau = |Ft|/A + |Mn| r/J, with Mt the bending and Mn the twisting moment at the
-/// contact point. `q` = C delta. NaN where r is not positive (point bonds have no section).
+/// sigma = Fn/A + 2 Mt r/J, tau = |Ft|/A + |Mn| r/J, with Mt the bending and Mn the twisting moment.
+/// NaN where r is not positive (point bonds have no section).
 struct SectionStress {
   double sigma = 0;
   double tau = 0;
 };
-SectionStress section_stress(const Vector6& q, const Vector3& axis, double bond_radius);
+SectionStress section_stress(const SectionForces& forces, double bond_radius);
 
 }  // namespace bondstatic

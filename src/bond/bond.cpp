@@ -34,14 +34,12 @@ Matrix12 stiffness_matrix(const Link& link) {
   return k;
 }
 
-SectionStress section_stress(const Vector6& q, const Vector3& axis, double bond_radius) {
+SectionStress section_stress(const SectionForces& forces, double bond_radius) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (!(bond_radius > 0)) return {nan, nan};
   const double r = bond_radius, area = std::numbers::pi * r * r, polar = 0.5 * area * r * r;
-  const Vector3 force = q.head<3>(), moment = q.tail<3>();
-  const double normal = axis.dot(force), twisting = axis.dot(moment);
-  const double shear = (force - normal * axis).norm(), bending = (moment - twisting * axis).norm();
-  return {normal / area + 2 * bending * r / polar, shear / area + std::abs(twisting) * r / polar};
+  return {forces.normal / area + 2 * forces.bending * r / polar,
+          std::abs(forces.shear) / area + std::abs(forces.twisting) * r / polar};
 }
 
 }  // namespace bondstatic

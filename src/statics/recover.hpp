@@ -7,8 +7,8 @@
 
 namespace bondstatic {
 
-/// Everything is formed from the motion in long double and rounded once: the shear force of a slender chain
-/// is a difference of displacements 10^12 times as large.
+/// Everything is formed from the motion in extended precision and rounded once: the shear force of a slender
+/// chain is a difference of displacements 10^12 times as large.
 LoadCaseResult recover(const Model& model, const BondNetwork& network, const Incidence& incidence,
                        const std::vector<BondProperties>& properties, const Boundary& boundary,
                        const std::vector<bool>& left_out, const Refined& refined, int threads);

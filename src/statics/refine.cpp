@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bondstatic/error.hpp"
@@ -10,28 +11,32 @@ namespace bondstatic {
 
 namespace {
 
-constexpr int most_refinements = 60;
-constexpr double extended_rounding = 0x1p-64;  // of an x87 long double; a longer one is only better
+constexpr int most_refinements = 100;
 constexpr double double_rounding = 0x1p-53;
 
-// One value for each unknown from one vector for each body; rotations carry `scale`.
-template <class Scalar>
-Eigen::VectorXd gather_unknowns(const BodyVectors<Scalar>& values, const FreeDofs& dofs, double scale) {
-  Eigen::VectorXd unknowns(dofs.unknowns());
-  Index at = 0;
-  for (std::size_t p = 0; p < values.size(); ++p)
+// Calls visit(body, dof, unknown) for every unknown in order.
+template <class Visit>
+void for_each_unknown(const FreeDofs& dofs, Visit visit) {
+  Index unknown = 0;
+  for (std::size_t p = 0; p < dofs.free.size(); ++p)
     for (int i = 0; i < 6; ++i)
-      if (dofs.is_free(Index(p), i))
-        unknowns[at++] = double(i < 3 ? values[p][i] : values[p][i] * Scalar(scale));
-  return unknowns;
+      if (dofs.is_free(Index(p), i)) visit(p, i, unknown++);
 }
 
-BodyVectors<long double> residual(const BondNetwork& network, const Incidence& incidence,
-                                  const Boundary& boundary, const BodyVectors<long double>& motion,
-                                  int threads) {
-  const auto q = link_resultants<long double>(network, motion, threads);
-  auto r = gather_forces<long double>(network, incidence, q, threads);
-  for (std::size_t p = 0; p < r.size(); ++p) r[p] = boundary.load[p].cast<long double>() - r[p];
+// Forces as the solver wants them: moments divided by the length that its rotations are multiplied by.
+Eigen::VectorXd to_unknowns(const BodyVectors<Extended>& forces, const FreeDofs& dofs, double length) {
+  Eigen::VectorXd values(dofs.unknowns());
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
+    values[unknown] = to_double(forces[p][i]) / (i < 3 ? 1 : length);
+  });
+  return values;
+}
+
+BodyVectors<Extended> residual(const BondNetwork& network, const Incidence& incidence,
+                               const Boundary& boundary, const BodyVectors<Extended>& motion, int threads) {
+  const auto q = link_resultants<Extended>(network, motion, threads);
+  auto r = gather_forces<Extended>(network, incidence, q, threads);
+  for (std::size_t p = 0; p < r.size(); ++p) r[p] = boundary.load[p].cast<Extended>() - r[p];
   return r;
 }
 
@@ -44,129 +49,119 @@ double sign_of(std::uint64_t n) {
 
 // Forces that a relative motion of rounding size in every link would need, with random signs: B^T C e with
 // |e| <= 4 eps |B| |u|. The motion they cause shows what the natural form cannot see of u.
-BodyVectors<long double> rounding_forces(const BondNetwork& network, const Incidence& incidence,
-                                         const BodyVectors<double>& motion) {
-  BodyVectors<long double> q(network.links.size());
+BodyVectors<Extended> rounding_forces(const BondNetwork& network, const Incidence& incidence,
+                                      const BodyVectors<double>& motion) {
+  BodyVectors<double> q(network.links.size());
   for (std::size_t k = 0; k < q.size(); ++k) {
     const Link& link = network.links[k];
-    const Vector6 m = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
-    Vector6T<long double> e;
-    for (int i = 0; i < 6; ++i) e[i] = 4 * extended_rounding * sign_of(6 * k + std::uint64_t(i)) * m[i];
-    q[k] = resultants<long double>(link.stiffness, bond_axis<long double>(link), e);
+    Vector6 e = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    for (int i = 0; i < 6; ++i) e[i] *= 4 * extended_rounding * sign_of(6 * k + std::uint64_t(i));
+    q[k] = resultants<double>(link.stiffness, bond_axis<double>(link), e);
   }
-  return gather_forces<long double>(network, incidence, q, 1);
-}
-
-BodyVectors<double> rounded(const BodyVectors<long double>& motion) {
-  BodyVectors<double> out(motion.size());
-  for (std::size_t p = 0; p < motion.size(); ++p) out[p] = motion[p].cast<double>();
-  return out;
+  const auto forces = gather_forces<double>(network, incidence, q, 1);
+  BodyVectors<Extended> extended(forces.size());
+  for (std::size_t p = 0; p < forces.size(); ++p) extended[p] = forces[p].cast<Extended>();
+  return extended;
 }
 
 // Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double.
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
                       const Boundary& boundary, const BodyVectors<double>& motion, int threads) {
-  BodyVectors<long double> extended(motion.size());
-  for (std::size_t p = 0; p < motion.size(); ++p) extended[p] = motion[p].cast<long double>();
-  const auto r = residual(network, incidence, boundary, extended, threads);
+  const auto r = residual(network, incidence, boundary, converted<Extended>(motion), threads);
   const auto magnitude = force_magnitudes(network, incidence, motion, threads);
   double worst = 0;
-  for (std::size_t p = 0; p < r.size(); ++p)
-    for (int i = 0; i < 6; ++i) {
-      const double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
-      if (dofs.is_free(Index(p), i) && scale > 0) worst = std::max(worst, std::abs(double(r[p][i])) / scale);
-    }
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
+    const double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
+    if (scale > 0) worst = std::max(worst, std::abs(to_double(r[p][i])) / scale);
+  });
   return worst;
 }
 
-struct Progress {
-  double correction = 0;  // largest entry of the last correction
-  double size = 0;        // largest entry of the answer
+// One load case on its way to the last digit.
+struct Iterate {
+  BodyVectors<Extended> motion;
+  double correction = 0;  // largest entry of the last correction, rotations times the length
+  double size = 0;        // largest entry of the answer, likewise
+  int steps = 0;
   bool done = false;
-};
 
-[[noreturn]] void fail(double ratio, double pivot_ratio) {
-  throw AccuracyError(
-      fmt::format("the stiffness matrix is numerically singular: corrections shrink only by {:.2g} (smallest "
-                  "pivot ratio {:.1e})\n"
-                  "    cure: look for bodies that hang by bonds many decades softer than the rest, or for a "
-                  "support that is "
-                  "missing in all but rounding",
-                  ratio, pivot_ratio));
-}
+  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, double pivot_ratio) {
+    const double before = correction;
+    correction = step.lpNorm<Eigen::Infinity>();
+    size = 0;
+    for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
+      const double scale = i < 3 ? 1 : length;
+      motion[p][i] += Extended(step[unknown]) / scale;
+      size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
+    });
+    // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
+    // rounding they are the noise of the residual, and the answer is as good as it gets.
+    const bool at_rounding = correction <= extended_rounding * size;
+    const bool stagnant = steps > 0 && correction > 0.5 * before;
+    if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps == most_refinements)
+      throw AccuracyError(
+          fmt::format("the stiffness matrix is numerically singular: corrections stay at {:.1e} of the "
+                      "answer (smallest pivot "
+                      "ratio {:.1e})\n    cure: look for bodies that hang by bonds many decades softer than "
+                      "the rest, or for a "
+                      "support that is missing in all but rounding",
+                      correction / size, pivot_ratio));
+    done = at_rounding || stagnant;
+    ++steps;
+  }
+
+  void drop_negligible(const FreeDofs& dofs, double length) {
+    for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
+      if (std::abs(to_double(motion[p][i])) * (i < 3 ? 1 : length) <= negligible * size) motion[p][i] = 0.0;
+    });
+  }
+};
 
 }  // namespace
 
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
                                    LinearSolver& solver, double pivot_ratio, int threads) {
-  const Index unknowns = dofs.unknowns(), count = Index(cases.size());
   const double length = network.rotation_length;
-  std::vector<Refined> refined(cases.size());
-  std::vector<Progress> progress(cases.size());
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    refined[c].motion.resize(cases[c]->prescribed.size());
-    for (std::size_t p = 0; p < cases[c]->prescribed.size(); ++p)
-      refined[c].motion[p] = cases[c]->prescribed[p].cast<long double>();
-  }
+  std::vector<Iterate> iterates(cases.size());
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    iterates[c].motion = converted<Extended>(cases[c]->prescribed);
 
-  Eigen::MatrixXd right_hand_sides(unknowns, count);
-  for (int step = 0; unknowns > 0; ++step) {
+  Eigen::MatrixXd right_hand_sides(dofs.unknowns(), Index(cases.size()));
+  const auto all_done = [&] {
+    return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
+  };
+  while (dofs.unknowns() > 0 && !all_done()) {
     right_hand_sides.setZero();
-    bool all_done = true;
-    for (Index c = 0; c < count; ++c) {
-      if (progress[std::size_t(c)].done) continue;
-      all_done = false;
-      const auto r =
-          residual(network, incidence, *cases[std::size_t(c)], refined[std::size_t(c)].motion, threads);
-      right_hand_sides.col(c) = gather_unknowns(r, dofs, 1 / length);
-    }
-    if (all_done) break;
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      if (!iterates[c].done)
+        right_hand_sides.col(Index(c)) =
+            to_unknowns(residual(network, incidence, *cases[c], iterates[c].motion, threads), dofs, length);
     const Eigen::MatrixXd corrections = solver.solve(right_hand_sides);
-    for (Index c = 0; c < count; ++c) {
-      Progress& state = progress[std::size_t(c)];
-      if (state.done) continue;
-      const double correction = corrections.col(c).lpNorm<Eigen::Infinity>();
-      if (!std::isfinite(correction)) fail(correction, pivot_ratio);
-      auto& motion = refined[std::size_t(c)].motion;
-      Index at = 0;
-      state.size = 0;
-      for (std::size_t p = 0; p < motion.size(); ++p)
-        for (int i = 0; i < 6; ++i) {
-          if (!dofs.is_free(Index(p), i)) continue;
-          const double scale = i < 3 ? 1 : length;
-          motion[p][i] += static_cast<long double>(corrections(at++, c)) / scale;
-          state.size = std::max(state.size, std::abs(double(motion[p][i])) * scale);
-        }
-      const double ratio = step == 0 ? 0 : correction / state.correction;
-      const bool at_rounding = correction <= extended_rounding * state.size;
-      // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
-      // rounding they are the noise of the residual, and the answer is as good as it gets.
-      const bool stagnant = step > 0 && ratio > 0.5;
-      if ((stagnant && correction > 1e-10 * state.size) || (step == most_refinements && !at_rounding))
-        fail(ratio, pivot_ratio);
-      state.correction = correction;
-      state.done = at_rounding || stagnant;
-      refined[std::size_t(c)].accuracy.refinements = step;
-    }
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      if (!iterates[c].done) iterates[c].add(corrections.col(Index(c)), dofs, length, pivot_ratio);
   }
 
   std::vector<BodyVectors<double>> answers;
-  for (Index c = 0; c < count; ++c) {
-    answers.push_back(rounded(refined[std::size_t(c)].motion));
-    right_hand_sides.col(c) =
-        gather_unknowns(rounding_forces(network, incidence, answers.back()), dofs, 1 / length);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    iterates[c].drop_negligible(dofs, length);
+    answers.push_back(converted<double>(iterates[c].motion));
+    right_hand_sides.col(Index(c)) =
+        to_unknowns(rounding_forces(network, incidence, answers[c]), dofs, length);
   }
-  const Eigen::MatrixXd noise = unknowns > 0 ? solver.solve(right_hand_sides) : right_hand_sides;
-  for (Index c = 0; c < count; ++c) {
-    const Progress& state = progress[std::size_t(c)];
-    Accuracy& accuracy = refined[std::size_t(c)].accuracy;
+  if (dofs.unknowns() > 0) right_hand_sides = solver.solve(right_hand_sides);
+
+  std::vector<Refined> refined(cases.size());
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    Accuracy& accuracy = refined[c].accuracy;
     accuracy.pivot_ratio = pivot_ratio;
-    if (state.size > 0)
+    accuracy.refinements = std::max(0, iterates[c].steps - 1);
+    accuracy.backward_error = backward_error(network, incidence, dofs, *cases[c], answers[c], threads);
+    const double noise = right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>();
+    if (iterates[c].size > 0)
       accuracy.forward_error =
-          double_rounding + (2 * state.correction + 4 * noise.col(c).lpNorm<Eigen::Infinity>()) / state.size;
-    accuracy.backward_error =
-        backward_error(network, incidence, dofs, *cases[std::size_t(c)], answers[std::size_t(c)], threads);
+          double_rounding + negligible + (2 * iterates[c].correction + 4 * noise) / iterates[c].size;
+    refined[c].motion = std::move(iterates[c].motion);
   }
   return refined;
 }

@@ -45,9 +45,8 @@ void drop_unsupported(const Model& model, const BondNetwork& network, Group& gro
       group.left_out[std::size_t(p)] = true;
       free[std::size_t(p)] = 0;
     }
-    if (std::find(report.dropped.begin(), report.dropped.end(), body) == report.dropped.end())
-      report.dropped.push_back(body);
   }
+  report.dropped.insert(report.dropped.end(), bodies.begin(), bodies.end());
   if (std::find(group.left_out.begin(), group.left_out.end(), false) == group.left_out.end())
     throw MechanismError(model, find_mechanisms(model, network, group.dofs, {}));
   group.dofs = number_free_dofs(std::move(free));
@@ -171,6 +170,9 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
       }
     });
   }
+  // What several groups of load cases leave out is said once.
+  std::sort(report.dropped.begin(), report.dropped.end());
+  report.dropped.erase(std::unique(report.dropped.begin(), report.dropped.end()), report.dropped.end());
   report.peak_bytes = peak_resident_memory();
   return solution;
 }

@@ -14,6 +14,8 @@ Vector3 split_magnitude(double along, double across, const Vector3& axis, const 
   return (along + across) * axis.dot(m) * axis + across * m;
 }
 
+}  // namespace
+
 Vector6 resultant_magnitude(const SectionStiffness& c, const Vector3& axis, const Vector6& motion) {
   const Vector3 e = axis.cwiseAbs(), d = motion.head<3>(), r = motion.tail<3>();
   const double coupling = std::abs(c.coupling);
@@ -22,8 +24,6 @@ Vector6 resultant_magnitude(const SectionStiffness& c, const Vector3& axis, cons
   q.tail<3>() = split_magnitude(c.kt, c.kb, e, r) + coupling * cross_magnitude(e, d);
   return q;
 }
-
-}  // namespace
 
 Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b) {
   const Vector6 a = at_a.cwiseAbs(), b = at_b.cwiseAbs();

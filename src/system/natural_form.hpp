@@ -16,6 +16,13 @@ constexpr Index worth_threads = 4000;
 template <class Scalar>
 using BodyVectors = std::vector<Vector6T<Scalar>>;  ///< one motion or force a body
 
+template <class To, class From>
+BodyVectors<To> converted(const BodyVectors<From>& values) {
+  BodyVectors<To> result(values.size());
+  for (std::size_t p = 0; p < values.size(); ++p) result[p] = values[p].template cast<To>();
+  return result;
+}
+
 /// q = C B u of every link, global axes.
 template <class Scalar>
 BodyVectors<Scalar> link_resultants(const BondNetwork& network, const BodyVectors<Scalar>& motion,
@@ -58,5 +65,8 @@ BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence
 
 /// |B| |u| of a link: relative displacement and rotation without cancellation.
 Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b);
+
+/// |C| |delta|, component by component in global axes, of a relative motion given by its magnitudes.
+Vector6 resultant_magnitude(const SectionStiffness& stiffness, const Vector3& axis, const Vector6& motion);
 
 }  // namespace bondstatic
