@@ -32,6 +32,8 @@ struct Chain {
   double shear_tolerance;
 };
 
+void PrintTo(const Chain& chosen, std::ostream* out) { *out << chosen.bonds << " bonds"; }
+
 class LongChain : public ::testing::TestWithParam<Chain> {};
 
 TEST_P(LongChain, EqualsBeamTheoryAlongASkewAxis) {

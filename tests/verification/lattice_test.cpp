@@ -102,6 +102,8 @@ struct LatticeCase {
   std::function<CubicConstants(double kn, double ks)> expected;
 };
 
+void PrintTo(const LatticeCase& chosen, std::ostream* out) { *out << chosen.name; }
+
 class CubicLattice : public ::testing::TestWithParam<LatticeCase> {};
 
 TEST_P(CubicLattice, HasTheElasticConstantsOfItsBonds) {
