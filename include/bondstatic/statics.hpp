@@ -15,7 +15,8 @@ enum class Unsupported { error, drop };
 
 struct StaticOptions {
   std::string solver = "auto";
-  int threads = 0;           ///< 0: the cores at hand
+  int threads = 0;           ///< at most; 0: the cores at hand
+  bool yield_cores = true;   ///< fewer threads where other processes keep cores busy; the answer is the same
   double tolerance = 1e-12;  ///< on the backward error
   Unsupported unsupported = Unsupported::error;
   double memory_limit = 0;  ///< bytes; 0: what the machine and its control group have left
@@ -65,7 +66,8 @@ struct Phase {
 
 struct StaticReport {
   std::string solver;
-  int threads = 1;
+  int threads = 1;          ///< used
+  int threads_asked = 1;    ///< more than used where the machine was busy
   AnalysisReport analysis;  ///< of the largest system where supports differ between load cases
   int factorisations = 0;
   std::vector<Phase> phases;

@@ -60,7 +60,9 @@ void add_solve_options(CLI::App& command, SolveArguments& arguments) {
       ->allow_extra_args(false);
   command.add_option("--solver", arguments.solver, "one of those that `bondstatic solvers` lists")
       ->type_name("NAME");
-  command.add_option("--threads", arguments.threads, "threads for everything (default: the cores at hand)")
+  command
+      .add_option("--threads", arguments.threads,
+                  "threads for everything, fewer where the machine is busy (default: the cores at hand)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
 }

@@ -81,6 +81,12 @@ std::string dropped(const Case& given, const StaticReport& report) {
                      counted(Index(particles), "particle"), ids, particles > most ? " ..." : "");
 }
 
+std::string threads(const StaticReport& report) {
+  if (report.threads == report.threads_asked) return counted(report.threads, "thread");
+  return fmt::format("{} of {}, as the machine is busy", report.threads,
+                     counted(report.threads_asked, "thread"));
+}
+
 /// What the solve took and how good it is, a line each.
 Table facts(const Case& given, const StaticSolution& solution) {
   const StaticReport& report = solution.report;
@@ -98,7 +104,7 @@ Table facts(const Case& given, const StaticSolution& solution) {
                               worst.moment_balance, worst.energy_balance)});
   table.rows.push_back(
       {"solved", fmt::format("{} by {} ({}) in {}", counted(report.analysis.unknowns, "unknown"),
-                             report.solver, counted(report.threads, "thread"), seconds_text(seconds))});
+                             report.solver, threads(report), seconds_text(seconds))});
   table.rows.push_back(
       {"memory", fmt::format("{} for the solve predicted, {} at the peak of the process",
                              bytes_text(report.analysis.predicted_bytes), bytes_text(report.peak_bytes))});

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <unordered_set>
 
 #include "case/bond_file.hpp"
@@ -65,8 +65,8 @@ std::optional<PositionLists> read_between(Draft& draft, TableReader& block, bool
                         "write between = [\"a\", \"b\"], or one group for bonds inside it");
     return std::nullopt;
   }
-  const auto *first = find_group(draft, names->front(), place),
-             *second = find_group(draft, names->back(), place);
+  const auto* first = find_group(draft, names->front(), place);
+  const auto* second = names->size() == 1 ? first : find_group(draft, names->back(), place);
   if (!first || !second) return std::nullopt;
   return PositionLists{*first, *second};
 }
@@ -82,8 +82,11 @@ struct Pairs {
 /// Adds the block's bonds to the model.
 class BondAdder {
  public:
-  BondAdder(Draft& draft, std::string existing)
-      : draft_(draft), existing_(std::move(existing)), faults_(draft.reading.faults.size()) {
+  BondAdder(Draft& draft, std::string existing, int most_faults)
+      : draft_(draft),
+        existing_(std::move(existing)),
+        faults_(draft.reading.faults.size()),
+        most_faults_(most_faults) {
     for (const auto& bond : draft.bond_of_id) next_id_ = std::max(next_id_, bond.first + 1);
     pairs_.particles = Index(draft.model.particles.size());
     for (const Bond& bond : draft.model.bonds) pairs_.add(bond.a, bond.b);
@@ -117,7 +120,7 @@ class BondAdder {
   Index id_of(Index particle) const { return draft_.model.particles[std::size_t(particle)].id; }
 
   void fault(const Place& place, const std::string& message, const std::string& cure) {
-    if (++said_ <= 20) draft_.reading.fault(place, message, cure);
+    if (++said_[cure] <= most_faults_) draft_.reading.fault(place, message, cure);
   }
 
   Draft& draft_;
@@ -126,7 +129,8 @@ class BondAdder {
   Pairs pairs_;
   Index next_id_ = 1;
   Index added_ = 0;
-  int said_ = 0;
+  int most_faults_;
+  std::map<std::string, int> said_;  ///< of each kind, which its cure tells
 };
 
 /// Bonds of the rows that were not skipped, with their own parameters.
@@ -168,7 +172,7 @@ void read_block(Draft& draft, TableReader& block) {
     made.parameters = complete_parameters(block, *law, given);
   if (reading.faults.size() != before || !draft.particles_known) return;
 
-  BondAdder adder(draft, existing);
+  BondAdder adder(draft, existing, from_file ? 20 : 1);  // formed bonds share the place of their block
   if (rows)
     add_rows(adder, *rows, made);
   else

@@ -50,7 +50,9 @@ void read_places(Draft& draft, TableReader& block, Quantity::Where where, Output
 void read_reduction(TableReader& block, Quantity::Where where, Output& output) {
   if (where == Quantity::Where::model) return;
   const std::vector<std::string> names{"value", "sum", "mean", "max"};
+  const std::size_t before = block.reading().faults.size();
   const std::string name = block.choice_or("reduce", "value", names);
+  if (block.reading().faults.size() != before) return;
   output.reduce = Output::Reduce(std::find(names.begin(), names.end(), name) - names.begin());
   if (output.reduce == Output::Reduce::value && output.at.size() > 1)
     block.reading().fault(

@@ -28,9 +28,10 @@ void set_place(Node& node, const Place& place) {
 
 Node value_of(const std::string& text) {
   if (auto value = parse_toml_value(text)) return *value;
-  // ".5" and "5." are numbers to everybody but TOML.
+  // ".5", "+.5" and "5." are numbers to everybody but TOML.
   double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size()) return Node::of(number);
   return Node::of(text);
 }

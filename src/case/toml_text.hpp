@@ -10,8 +10,6 @@
 namespace bondstatic {
 
 /// The tree of a TOML document. Where the text is not TOML, the fault is appended and nothing returned.
-/// Values nested deeper than 32 and keys of more than 32 parts are faults: no case needs them, and they
-/// exhaust the stack.
 std::optional<Node> parse_toml(const std::string& text, const std::string& file, std::vector<Fault>& faults);
 
 /// One value as in a TOML document ("2.5", "[1, 2]", "{ id = 3 }"); nothing where the text is not one.

@@ -82,7 +82,7 @@ std::optional<Table> Table::parse(std::string text, const std::string& file, std
       table.header_line_ = line_number;
       for (const std::size_t at : starts.begins) {
         const std::string name = unquoted(field_at(line, at, table.separator_));
-        if (!std::isnan(number_of(name)))
+        if (!std::isnan(number_of(name)) && faults.size() == before)
           faults.push_back({place(at),
                             fmt::format("the first line has the number {} where a column name must be", name),
                             "name the columns in a first line without #, e.g. id,x,y,z,radius"});

@@ -31,6 +31,8 @@ std::vector<Vector3> line_points(const Vector3& from, const Vector3& to, Index c
   const double last = double(count - 1);
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = ((last - double(i)) * from + double(i) * to) / last;
+  points.front() = from;
+  points.back() = to;
   return points;
 }
 

@@ -11,47 +11,53 @@ namespace {
 
 using Cell = std::array<Index, 3>;
 
-/// Spheres of one size class (largest reach at most twice the smallest) in cells at least as wide as the
-/// largest sphere; cells are found by hash, and the spheres of one hash value stand together.
+/// Spheres of one size class (largest reach at most twice the smallest) in cells as wide as the largest of
+/// them. Cells are found by hash; what has one hash value stands together, and so do cells near each other.
 class Grid {
  public:
-  Grid(std::span<const Vector3> positions, std::vector<Index> members, const Vector3& corner,
-       double cell_size)
-      : corner_(corner), cell_size_(cell_size), mask_(std::bit_ceil(members.size()) - 1), first_(mask_ + 2) {
-    std::vector<std::size_t> bucket;
-    std::vector<Cell> cells;
-    for (const Index member : members) {
-      cells.push_back(cell_of(positions[std::size_t(member)]));
-      bucket.push_back(hash(cells.back()));
-      ++first_[bucket.back() + 1];
-    }
+  struct Sphere {
+    Vector3 position;
+    double reach;
+    Index number;
+    Cell cell;
+  };
+
+  Grid(std::span<const Vector3> positions, std::span<const double> reach, const std::vector<Index>& members,
+       const Vector3& corner, double smallest_cell)
+      : corner_(corner),
+        mask_(std::bit_ceil(std::max<std::size_t>(members.size(), 64)) - 1),
+        first_(mask_ + 2) {
+    for (const Index member : members) largest_ = std::max(largest_, reach[std::size_t(member)]);
+    cell_size_ = std::max(2 * largest_, smallest_cell);
+    for (const Index member : members) ++first_[hash(cell_of(positions[std::size_t(member)])) + 1];
     for (std::size_t b = 0; b <= mask_; ++b) first_[b + 1] += first_[b];
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    members_.resize(members.size());
-    cells_.resize(members.size());
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      const std::size_t slot = next[bucket[i]]++;
-      members_[slot] = members[i];
-      cells_[slot] = cells[i];
+    spheres_.resize(members.size());
+    for (const Index member : members) {
+      const Vector3& x = positions[std::size_t(member)];
+      const Cell cell = cell_of(x);
+      spheres_[next[hash(cell)]++] = {x, reach[std::size_t(member)], member, cell};
     }
   }
 
-  /// Calls visit(member) for all spheres whose cell meets the box of half width `reach` about `point`.
+  /// In an order in which neighbours come soon after each other, for the processor's cache.
+  const std::vector<Sphere>& spheres() const { return spheres_; }
+
+  /// Calls visit(sphere) for all that may touch a sphere of that reach about `point`.
   template <class Visit>
   void visit_near(const Vector3& point, double reach, Visit&& visit) const {
-    const Cell low = cell_of(point - Vector3::Constant(reach)),
-               high = cell_of(point + Vector3::Constant(reach));
+    // A little wider, so that rounding cannot put what touches in one point outside.
+    const Vector3 half_width = Vector3::Constant((reach + largest_) * (1 + 1e-12));
+    const Cell low = cell_of(point - half_width), high = cell_of(point + half_width);
     Cell cell;
     for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
       for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
         for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0]) {
           const std::size_t bucket = hash(cell);
           for (std::size_t slot = first_[bucket]; slot < first_[bucket + 1]; ++slot)
-            if (cells_[slot] == cell) visit(members_[slot]);
+            if (spheres_[slot].cell == cell) visit(spheres_[slot]);
         }
   }
-
-  double cell_size() const { return cell_size_; }
 
  private:
   Cell cell_of(const Vector3& point) const {
@@ -59,21 +65,23 @@ class Grid {
     return {Index(std::floor(scaled[0])), Index(std::floor(scaled[1])), Index(std::floor(scaled[2]))};
   }
 
+  /// Blocks of 4 x 4 x 4 cells are scattered, the cells of a block stay together.
   std::size_t hash(const Cell& cell) const {
-    std::uint64_t h = 0;
+    std::uint64_t h = 0, within = 0;
     for (const Index c : cell) {
-      h = (h ^ std::uint64_t(c)) * 0x9e3779b97f4a7c15u;
+      h = (h ^ std::uint64_t(c >> 2)) * 0x9e3779b97f4a7c15u;
       h ^= h >> 32;
+      within = within << 2 | std::uint64_t(c & 3);
     }
-    return std::size_t(h) & mask_;
+    return std::size_t(h << 6 | within) & mask_;
   }
 
   Vector3 corner_;
-  double cell_size_;
+  double largest_ = 0;
+  double cell_size_ = 0;
   std::size_t mask_;
-  std::vector<std::size_t> first_;  ///< of a hash value's spheres in members_
-  std::vector<Index> members_;
-  std::vector<Cell> cells_;
+  std::vector<std::size_t> first_;  ///< of a hash value's spheres
+  std::vector<Sphere> spheres_;
 };
 
 /// Pairs sorted by (i, j) in linear time: counted by i, then each particle's few partners sorted.
@@ -110,23 +118,20 @@ std::vector<std::pair<Index, Index>> touching_pairs(std::span<const Vector3> pos
   for (std::size_t i = 0; i < count; ++i) classes[size_class(i)].push_back(Index(i));
   std::map<int, Grid> grids;
   for (const auto& [k, members] : classes)
-    grids.emplace(k, Grid(positions, members, low, std::ldexp(1.0, k + 2)));
+    grids.emplace(k, Grid(positions, reach, members, low, smallest_cell));
 
   // Each sphere looks for partners of its own size and larger: a large one has many small neighbours, but a
   // small one touches few large ones unless they overlap.
   std::vector<std::pair<Index, Index>> pairs;
-  for (const auto& [k, members] : classes)
-    for (auto grid = grids.find(k); grid != grids.end(); ++grid)
-      for (const Index i : members) {
-        const Vector3& x = positions[std::size_t(i)];
-        const double r = reach[std::size_t(i)];
-        grid->second.visit_near(x, r + grid->second.cell_size() / 2, [&](Index j) {
-          if (grid->first == k && j <= i) return;
-          const double sum = r + reach[std::size_t(j)];
-          if ((positions[std::size_t(j)] - x).squaredNorm() <= sum * sum)
-            pairs.push_back(std::minmax({i, j}));
+  for (auto own = grids.begin(); own != grids.end(); ++own)
+    for (auto other = own; other != grids.end(); ++other)
+      for (const Grid::Sphere& s : own->second.spheres())
+        other->second.visit_near(s.position, s.reach, [&](const Grid::Sphere& t) {
+          if (own == other && t.number <= s.number) return;
+          const double sum = s.reach + t.reach;
+          if ((t.position - s.position).squaredNorm() <= sum * sum)
+            pairs.push_back(std::minmax(s.number, t.number));
         });
-      }
   return sorted(std::move(pairs), count);
 }
 

@@ -33,6 +33,7 @@ Json counts_of(const Model& model, const StaticReport& report) {
 Json solver_of(const StaticReport& report) {
   return {{"name", report.solver},
           {"threads", report.threads},
+          {"threads_asked", report.threads_asked},
           {"ordering", report.analysis.ordering},
           {"unknowns", report.analysis.unknowns},
           {"matrix_entries", report.analysis.matrix_entries},

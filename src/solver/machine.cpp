@@ -4,13 +4,16 @@
 #include <omp.h>
 #include <sched.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <thread>
 
 namespace bondstatic {
 
@@ -25,12 +28,17 @@ double number_in(const std::string& path) {
   return file >> value ? value : unlimited;
 }
 
-// Field of a "Name:   123 kB" file such as /proc/meminfo, bytes.
-double kilobyte_field(const std::string& path, const std::string& field) {
+// Number behind a name at the beginning of a line, as in /proc/stat.
+double field_of(const std::string& path, const std::string& name) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);)
-    if (line.rfind(field + ":", 0) == 0) return 1024 * std::strtod(line.c_str() + field.size() + 1, nullptr);
+    if (line.rfind(name, 0) == 0) return std::strtod(line.c_str() + name.size(), nullptr);
   return unlimited;
+}
+
+// Bytes in a "Name:   123 kB" line, as in /proc/meminfo.
+double kilobyte_field(const std::string& path, const std::string& name) {
+  return 1024 * field_of(path, name + ":");
 }
 
 // Folders of this process's control group and of the groups above it: a limit holds for all below.
@@ -90,6 +98,18 @@ int cores_at_hand() {
   const double quota = control_group_cores();
   if (quota < cores) cores = int(std::ceil(quota));
   return std::max(1, cores);
+}
+
+int threads_worth_having(int most) {
+  constexpr int samples = 3;  // a process that only woke up for a moment is no competitor
+  int idle = 0;
+  for (int i = 0; i < samples && idle < most; ++i) {
+    if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const double running = field_of("/proc/stat", "procs_running");
+    if (!(running < unlimited)) return most;
+    idle = std::max(idle, int(sysconf(_SC_NPROCESSORS_ONLN)) - (int(running) - 1));  // less this process
+  }
+  return std::clamp(idle, 1, most);
 }
 
 double available_memory() {

@@ -109,7 +109,8 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   StaticSolution solution;
   StaticReport& report = solution.report;
   Stopwatch timed(report.phases, options.progress);
-  report.threads = options.threads > 0 ? options.threads : cores_at_hand();
+  report.threads_asked = options.threads > 0 ? options.threads : cores_at_hand();
+  report.threads = options.yield_cores ? threads_worth_having(report.threads_asked) : report.threads_asked;
   report.solver = options.solver == "auto" ? available_solvers().front().name : options.solver;
 
   // 1. What each bond is: C, contact point, section.

@@ -32,6 +32,7 @@ double median_seconds(int repeats, const std::function<void()>& work) {
 }
 
 void run_program(const std::string& case_file) {
+  std::fflush(stdout);  // else the child writes it, too
   const pid_t child = fork();
   if (child == 0) {
     if (!freopen("/dev/null", "w", stdout)) _exit(1);

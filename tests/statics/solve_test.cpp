@@ -36,10 +36,11 @@ StaticOptions with(const std::string& solver, int threads) {
   StaticOptions options;
   options.solver = solver;
   options.threads = threads;
+  options.yield_cores = false;  // other tests run at the same time
   return options;
 }
 
-TEST(Solve, GivesTheSameBitsOnAnyNumberOfThreads) {
+TEST(StaticSolve, GivesTheSameBitsOnAnyNumberOfThreads) {
   const Model model = loaded_packing(17);  // loops long enough to be shared out
   const auto one = solve_statics(model, with("auto", 1)).cases[0];
   for (const int threads : {2, 3, 4}) {
@@ -48,14 +49,14 @@ TEST(Solve, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Solve, GivesTheSameAnswerFromEverySolver) {
+TEST(StaticSolve, GivesTheSameAnswerFromEverySolver) {
   const Model model = loaded_packing(5);
   const auto reference = solve_statics(model, {}).cases[0];
   for (const SolverInfo& info : available_solvers())
     EXPECT_TRUE(same_bits(reference, solve_statics(model, with(info.name, 1)).cases[0])) << info.name;
 }
 
-TEST(Solve, SharesOneFactorisationBetweenLoadCases) {
+TEST(StaticSolve, SharesOneFactorisationBetweenLoadCases) {
   Model model = loaded_packing(3);
   model.load_cases = {"one", "two", "three"};
   model.loads.clear();
@@ -72,7 +73,7 @@ TEST(Solve, SharesOneFactorisationBetweenLoadCases) {
   EXPECT_TRUE(held.cases[2].displacement[20].isZero(0));
 }
 
-TEST(Solve, PrescribedMotionDoesWork) {
+TEST(StaticSolve, PrescribedMotionDoesWork) {
   Model model = chain(beam(), Vector3::Zero(), Vector3(1, 0, 0), 4, 0.125);
   model.supports.push_back({4, {true, false, false, false, false, false}, vector6(1e-3, 0, 0), every_case});
   const auto result = solve_statics(model, {}).cases[0];
@@ -86,7 +87,7 @@ TEST(Solve, PrescribedMotionDoesWork) {
   EXPECT_NEAR(result.bonds[2].normal_force / force, 1, 1e-15);
 }
 
-TEST(Solve, WholeModelHeldNeedsNoSolver) {
+TEST(StaticSolve, WholeModelHeldNeedsNoSolver) {
   Model model = chain(beam(), Vector3::Zero(), Vector3(1, 0, 0), 1, 0.5);
   fix_all(model, 1, vector6(0, 0, 0, 1e-3, 0, 0));
   const auto solution = solve_statics(model, {});
@@ -95,7 +96,7 @@ TEST(Solve, WholeModelHeldNeedsNoSolver) {
   EXPECT_NEAR(solution.cases[0].reaction[1][3] / solution.cases[0].reaction[0][3], -1, 1e-15);
 }
 
-TEST(Solve, RefusesWhatDoesNotFitBeforeItFails) {
+TEST(StaticSolve, RefusesWhatDoesNotFitBeforeItFails) {
   StaticOptions options;
   options.memory_limit = 1e6;
   try {
@@ -117,7 +118,7 @@ Model with_rattlers() {
   return model;
 }
 
-TEST(Solve, NamesUnsupportedBodies) {
+TEST(StaticSolve, NamesUnsupportedBodies) {
   try {
     solve_statics(with_rattlers(), {});
     FAIL() << "solved a floating body";
@@ -128,7 +129,7 @@ TEST(Solve, NamesUnsupportedBodies) {
   }
 }
 
-TEST(Solve, LeavesOutUnsupportedBodiesWhereAskedAndSaysSo) {
+TEST(StaticSolve, LeavesOutUnsupportedBodiesWhereAskedAndSaysSo) {
   StaticOptions options;
   options.unsupported = Unsupported::drop;
   const auto solution = solve_statics(with_rattlers(), options);
@@ -145,7 +146,7 @@ TEST(Solve, LeavesOutUnsupportedBodiesWhereAskedAndSaysSo) {
     EXPECT_EQ(solution.cases[0].displacement[p], alone.displacement[p]);
 }
 
-TEST(Solve, NothingSupportedIsAnErrorEvenWhereDroppingIsAllowed) {
+TEST(StaticSolve, NothingSupportedIsAnErrorEvenWhereDroppingIsAllowed) {
   Model model = loaded_packing(2);
   model.supports.clear();
   StaticOptions options;
@@ -153,7 +154,7 @@ TEST(Solve, NothingSupportedIsAnErrorEvenWhereDroppingIsAllowed) {
   EXPECT_THROW(solve_statics(model, options), MechanismError);
 }
 
-TEST(Solve, ConflictingSupportsAreAnError) {
+TEST(StaticSolve, ConflictingSupportsAreAnError) {
   Model model = loaded_packing(2);
   fix_all(model, 0, vector6(1e-3, 0, 0));
   EXPECT_THROW(solve_statics(model, {}), Error);
@@ -161,7 +162,7 @@ TEST(Solve, ConflictingSupportsAreAnError) {
 
 // Two bonds in parallel to the ground, one of them 10^20 times stiffer in a direction that the load does not
 // need is fine; a chain hanging by a bond that vanishes in the rounding of its neighbours' stiffness is not.
-TEST(Solve, NumericallySingularEndsAsAccuracyError) {
+TEST(StaticSolve, NumericallySingularEndsAsAccuracyError) {
   Model model;
   model.blocks = {block("generic", {{"kn", 1e-12}, {"ks", 1e-12}, {"kt", 1e-12}, {"kb", 1e-12}}),
                   block("generic", {{"kn", 1e12}, {"ks", 1e12}, {"kt", 1e12}, {"kb", 1e12}})};

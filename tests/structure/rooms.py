@@ -7,7 +7,7 @@ import re
 import sys
 
 # A room may include from itself and from the rooms in its set. io holds what everything stands on.
-LINE_OF_ROOMS = ["io", "model", "bond", "system", "solver", "statics", "results"]
+LINE_OF_ROOMS = ["io", "model", "bond", "system", "mechanism", "solver", "statics", "results"]
 MAY_USE = {room: set(LINE_OF_ROOMS[:i]) for i, room in enumerate(LINE_OF_ROOMS)}
 MAY_USE["case"] = {"io", "model", "bond"}
 MAY_USE["app"] = set(MAY_USE)
@@ -19,7 +19,7 @@ ROOM_OF_HEADER = {
     "bond": "bond", "bond_law": "bond",
     "network": "system",
     "linear_solver": "solver",
-    "mechanism": "statics", "statics": "statics",
+    "mechanism": "mechanism", "statics": "statics",
     "output": "results", "results": "results",
     "case_file": "case",
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bondstatic/mechanism.hpp"
-#include "statics/rigid_bodies.hpp"
+#include "mechanism/rigid_bodies.hpp"
 
 namespace bondstatic {
 

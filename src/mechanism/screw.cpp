@@ -1,4 +1,4 @@
-#include "statics/screw.hpp"
+#include "mechanism/screw.hpp"
 
 #include <Eigen/QR>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "statics/bonded_components.hpp"
+#include "mechanism/bonded_components.hpp"
 
 #include <algorithm>
 
 #include "bondstatic/mechanism.hpp"
-#include "statics/partition.hpp"
+#include "mechanism/partition.hpp"
 
 namespace bondstatic {
 

@@ -1,4 +1,4 @@
-#include "statics/rigid_bodies.hpp"
+#include "mechanism/rigid_bodies.hpp"
 
 #include <algorithm>
 

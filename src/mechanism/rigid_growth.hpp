@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "statics/constraint.hpp"
-#include "statics/partition.hpp"
+#include "mechanism/constraint.hpp"
+#include "mechanism/partition.hpp"
 
 namespace bondstatic {
 

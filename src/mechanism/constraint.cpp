@@ -1,4 +1,4 @@
-#include "statics/constraint.hpp"
+#include "mechanism/constraint.hpp"
 
 namespace bondstatic {
 

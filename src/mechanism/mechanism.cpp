@@ -1,14 +1,12 @@
 #include "bondstatic/mechanism.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 
-#include "statics/bonded_components.hpp"
-#include "statics/internal_mechanisms.hpp"
-#include "statics/null_space.hpp"
-#include "statics/partition.hpp"
-#include "statics/screw.hpp"
+#include "mechanism/bonded_components.hpp"
+#include "mechanism/free_motions.hpp"
+#include "mechanism/internal_mechanisms.hpp"
+#include "mechanism/partition.hpp"
+#include "mechanism/screw.hpp"
 
 namespace bondstatic {
 namespace {
@@ -68,9 +66,9 @@ std::vector<HeldComponent> contract(const Model& model, const BondNetwork& netwo
   return held;
 }
 
-// Columns: scaled rigid motions of the whole that its supports, and bonds round a periodic cell, leave free.
+// Rigid motions of the whole that its supports, and bonds round a periodic cell, leave free.
 Eigen::MatrixXd free_rigid_motions(const RigidBody& whole, const std::vector<Constraint>& constraints) {
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6 + Index(constraints.size()), 6);
+  Eigen::MatrixXd rows(Index(constraints.size()), 6);
   Index count = 0;
   for (const Constraint& c : constraints) {
     if (c.a != ground && !c.shifted) continue;
@@ -81,27 +79,7 @@ Eigen::MatrixXd free_rigid_motions(const RigidBody& whole, const std::vector<Con
       row -= wrench_on(c, c.at_a, whole.centre, whole.size);
     rows.row(count++) = row.transpose();
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.topRows(std::max<Index>(count, 6)));
-  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(6).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  const double tolerance = free_strain * std::max(1.0, svd.singularValues()[0]);
-  Index rank = 0;
-  while (rank < 6 && svd.singularValues()[rank] > tolerance) ++rank;
-  return svd.matrixV().rightCols(6 - rank);
-}
-
-// Constraints that hold `body` against the motions given in its columns, so that they are not found again.
-void hold(std::vector<Constraint>& constraints, Index number, const RigidBody& body,
-          const Eigen::MatrixXd& motions) {
-  const Eigen::MatrixXd basis = Eigen::HouseholderQR<Eigen::MatrixXd>(motions).householderQ() *
-                                Eigen::MatrixXd::Identity(6, motions.cols());
-  for (Index k = 0; k < basis.cols(); ++k)
-    constraints.push_back({.a = ground,
-                           .b = number,
-                           .at_a = body.centre,
-                           .at_b = body.centre,
-                           .force = basis.col(k).head<3>(),
-                           .moment = body.size * basis.col(k).tail<3>()});
+  return free_motions(rows.topRows(count));
 }
 
 void append(std::vector<Mechanism>& all, std::vector<Mechanism> more) {

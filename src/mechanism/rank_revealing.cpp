@@ -1,4 +1,4 @@
-#include "statics/rank_revealing.hpp"
+#include "mechanism/rank_revealing.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -51,7 +51,7 @@ FrontFactor factorise_front(Eigen::MatrixXd matrix, Index eliminated, double tol
   factor.rank = top;
   if (top > 0 && !surely_full_rank(triangle, tolerance)) {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(triangle);
-    right.applyOnTheLeft(qr.householderQ().adjoint());
+    if (bound > 0) right.applyOnTheLeft(qr.householderQ().adjoint());
     triangle = qr.matrixQR().triangularView<Eigen::Upper>();
     for (Index k = 0; k < eliminated; ++k) factor.order[std::size_t(k)] = qr.colsPermutation().indices()[k];
     for (factor.rank = 0; factor.rank < top; ++factor.rank)
@@ -59,8 +59,8 @@ FrontFactor factorise_front(Eigen::MatrixXd matrix, Index eliminated, double tol
   }
   const Index rank = factor.rank;
   factor.solved = triangle.topLeftCorner(rank, rank);
-  factor.free =
-      -factor.solved.triangularView<Eigen::Upper>().solve(triangle.topRightCorner(rank, eliminated - rank));
+  factor.free = -triangle.topRightCorner(rank, eliminated - rank);
+  if (factor.free.size() > 0) factor.solved.triangularView<Eigen::Upper>().solveInPlace(factor.free);
   factor.boundary = right.topRows(rank);
   factor.rest.resize(top - rank + below, bound);
   factor.rest.topRows(top - rank) = right.bottomRows(top - rank);

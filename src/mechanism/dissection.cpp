@@ -1,4 +1,4 @@
-#include "statics/dissection.hpp"
+#include "mechanism/dissection.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "statics/rigid_growth.hpp"
+#include "mechanism/rigid_growth.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,11 +1,11 @@
-#include "statics/null_space.hpp"
+#include "mechanism/null_space.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "statics/dissection.hpp"
-#include "statics/rank_revealing.hpp"
+#include "mechanism/dissection.hpp"
+#include "mechanism/rank_revealing.hpp"
 
 namespace bondstatic {
 namespace {
@@ -172,8 +172,9 @@ class NullSpace {
     }
     if (!moves) return;
     Eigen::MatrixXd values = Eigen::MatrixXd::Zero(Index(factor.order.size()), count);
-    values.topRows(factor.rank) =
-        -factor.solved.triangularView<Eigen::Upper>().solve(factor.boundary * boundary);
+    if (factor.rank > 0)
+      values.topRows(factor.rank) =
+          -factor.solved.triangularView<Eigen::Upper>().solve(factor.boundary * boundary);
     place(front, values, motions);
     for (const Index child : front.shape.children) descend(std::size_t(child), count, motions);
   }

@@ -1,12 +1,14 @@
-#include "statics/internal_mechanisms.hpp"
+#include "mechanism/internal_mechanisms.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "statics/null_space.hpp"
-#include "statics/rigid_growth.hpp"
-#include "statics/screw.hpp"
+#include "mechanism/constraint_rows.hpp"
+#include "mechanism/free_motions.hpp"
+#include "mechanism/rigid_growth.hpp"
+#include "mechanism/rigid_patches.hpp"
+#include "mechanism/screw.hpp"
 
 namespace bondstatic {
 namespace {
@@ -36,28 +38,53 @@ void unite_bodies(Partition& sets, std::vector<std::vector<Index>>& members,
   std::erase_if(constraints, [](const Constraint& c) { return c.b == ground || (c.a == c.b && !c.shifted); });
 }
 
-std::vector<ConstraintRow> constraint_rows(const std::vector<RigidBody>& bodies,
-                                           const std::vector<Constraint>& constraints) {
-  constexpr double cancelled = 1e-12;  // of the parts of a row on one body round a periodic cell
-  std::vector<ConstraintRow> rows;
-  rows.reserve(constraints.size());
-  for (const Constraint& c : constraints) {
-    const RigidBody& b = bodies[std::size_t(c.b)];
-    ConstraintRow row{.a = c.a, .b = c.b};
-    row.at_b = wrench_on(c, c.at_b, b.centre, b.size);
-    const double natural = row.at_b.norm();
-    if (c.a != ground) {
-      const RigidBody& a = bodies[std::size_t(c.a)];
-      row.at_a = -wrench_on(c, c.at_a, a.centre, a.size);
+void grow(std::vector<std::vector<Index>>& members, std::vector<Constraint>& constraints) {
+  Partition sets = grow_rigid(Index(members.size()), constraints);
+  unite_bodies(sets, members, constraints);
+}
+
+// Fewer, larger bodies of the same free motions. Growth needs rigid seeds; patches of a large network that
+// growth leaves are searched for them, more and more of them as long as that helps or until they cover it
+// all.
+void reduce(const Model& model, std::vector<std::vector<Index>>& members,
+            std::vector<Constraint>& constraints) {
+  grow(members, constraints);
+  for (Index patches = 1; members.size() > 2 * std::size_t(patch_size);) {
+    const std::size_t before = members.size();
+    Partition sets = rigid_patches(make_bodies(model, members, constraints), constraints, patches);
+    unite_bodies(sets, members, constraints);
+    grow(members, constraints);
+    if (members.size() > before - before / 20) {
+      if (std::size_t(patches * patch_size) > 2 * members.size()) return;
+      patches *= 4;
     }
-    if (c.a == c.b) row = {.a = ground, .b = c.b, .at_b = row.at_a + row.at_b};
-    const double length = std::hypot(row.at_a.norm(), row.at_b.norm());
-    if (!(length > cancelled * natural)) continue;
-    row.at_a /= length;
-    row.at_b /= length;
-    rows.push_back(row);
   }
-  return rows;
+}
+
+// Motions of one body with all others still: particles that spin, bodies on a hinge. They are held from then
+// on, so that without friction, where every particle spins, the rest can still grow.
+std::vector<Mechanism> lone_motions(const Model& model, const std::vector<std::vector<Index>>& members,
+                                    std::vector<Constraint>& constraints) {
+  const std::vector<RigidBody> bodies = make_bodies(model, members, constraints);
+  std::vector<std::vector<Vector6>> forms(bodies.size());
+  for (const ConstraintRow& row : constraint_rows(bodies, constraints)) {
+    if (row.a != ground) forms[std::size_t(row.a)].push_back(row.at_a);
+    forms[std::size_t(row.b)].push_back(row.at_b);
+  }
+  std::vector<Mechanism> mechanisms;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Eigen::MatrixXd rows(Index(forms[b].size()), 6);
+    for (std::size_t k = 0; k < forms[b].size(); ++k) rows.row(Index(k)) = forms[b][k].transpose();
+    const Eigen::MatrixXd free = free_motions(std::move(rows));
+    if (free.cols() == 0) continue;
+    hold(constraints, Index(b), bodies[b], free);
+    Mechanism mechanism{Mechanism::Kind::internal, bodies[b].particles, {}};
+    const std::vector<Vector6> motions(free.colwise().begin(), free.colwise().end());
+    for (const Vector6& motion : legible_basis(motions))
+      mechanism.motions.push_back(screw(motion, bodies[b].centre, bodies[b].size));
+    mechanisms.push_back(std::move(mechanism));
+  }
+  return mechanisms;
 }
 
 // The body that moves most, and its screw for each motion.
@@ -102,8 +129,9 @@ std::vector<FreeMotion> screws(const std::vector<RigidBody>& bodies,
 
 std::vector<Mechanism> internal_mechanisms(const Model& model, std::vector<std::vector<Index>> members,
                                            std::vector<Constraint> constraints) {
-  Partition sets = grow_rigid(Index(members.size()), constraints);
-  unite_bodies(sets, members, constraints);
+  grow(members, constraints);
+  std::vector<Mechanism> mechanisms = lone_motions(model, members, constraints);
+  reduce(model, members, constraints);
   const std::vector<RigidBody> bodies = make_bodies(model, std::move(members), constraints);
   std::vector<Vector3> centres;
   for (const RigidBody& body : bodies) centres.push_back(body.centre);
@@ -115,7 +143,6 @@ std::vector<Mechanism> internal_mechanisms(const Model& model, std::vector<std::
     for (const auto& [body, motion] : vectors[std::size_t(k)])
       moving_together.unite(k, first_mover.try_emplace(body, k).first->second);
 
-  std::vector<Mechanism> mechanisms;
   for (const auto& group : moving_together.members([](Index) { return true; })) {
     Mechanism mechanism{Mechanism::Kind::internal, {}, {}};
     std::vector<const NullVector*> of_group;

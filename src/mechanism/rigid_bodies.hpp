@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
-#include "statics/constraint.hpp"
+#include "mechanism/constraint.hpp"
 
 namespace bondstatic {
 

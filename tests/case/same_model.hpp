@@ -1,0 +1,65 @@
+// Equality of models to the last bit; NaN equals NaN.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "bondstatic/model.hpp"
+
+namespace bondstatic::test {
+
+inline bool same(double left, double right) {
+  return std::bit_cast<std::uint64_t>(left) == std::bit_cast<std::uint64_t>(right);
+}
+
+template <class Vector>
+bool same_vector(const Vector& left, const Vector& right) {
+  bool equal = left.size() == right.size();
+  for (decltype(left.size()) i = 0; equal && i < left.size(); ++i) equal = same(left[i], right[i]);
+  return equal;
+}
+
+inline void expect_same(const Model& left, const Model& right) {
+  ASSERT_EQ(left.particles.size(), right.particles.size());
+  for (std::size_t i = 0; i < left.particles.size(); ++i) {
+    const Particle &l = left.particles[i], &r = right.particles[i];
+    ASSERT_TRUE(l.id == r.id && same_vector(l.position, r.position) && same(l.radius, r.radius) &&
+                same(l.density, r.density))
+        << "particle " << i;
+  }
+  ASSERT_EQ(left.blocks.size(), right.blocks.size());
+  for (std::size_t i = 0; i < left.blocks.size(); ++i) {
+    const BondBlock &l = left.blocks[i], &r = right.blocks[i];
+    ASSERT_EQ(l.overrides.size(), r.overrides.size());
+    bool equal = l.law == r.law && same_vector(l.parameters, r.parameters) &&
+                 l.contact_point.kind == r.contact_point.kind &&
+                 same(l.contact_point.value, r.contact_point.value);
+    for (const auto& [parameter, values] : l.overrides)
+      equal = equal && r.overrides.count(parameter) && same_vector(values, r.overrides.at(parameter));
+    ASSERT_TRUE(equal) << "block " << i;
+  }
+  ASSERT_EQ(left.bonds.size(), right.bonds.size());
+  for (std::size_t i = 0; i < left.bonds.size(); ++i) {
+    const Bond &l = left.bonds[i], &r = right.bonds[i];
+    ASSERT_TRUE(l.id == r.id && l.a == r.a && l.b == r.b && same_vector(l.branch, r.branch) &&
+                l.block == r.block && l.in_block == r.in_block)
+        << "bond " << i;
+  }
+  ASSERT_EQ(left.supports.size(), right.supports.size());
+  for (std::size_t i = 0; i < left.supports.size(); ++i) {
+    const Support &l = left.supports[i], &r = right.supports[i];
+    ASSERT_TRUE(l.particle == r.particle && l.fixed == r.fixed && same_vector(l.value, r.value) &&
+                l.load_case == r.load_case)
+        << "support " << i;
+  }
+  ASSERT_EQ(left.loads.size(), right.loads.size());
+  for (std::size_t i = 0; i < left.loads.size(); ++i) {
+    const Load &l = left.loads[i], &r = right.loads[i];
+    ASSERT_TRUE(l.particle == r.particle && same_vector(l.force, r.force) && l.load_case == r.load_case)
+        << "load " << i;
+  }
+  EXPECT_EQ(left.load_cases, right.load_cases);
+}
+
+}  // namespace bondstatic::test
