@@ -121,7 +121,8 @@ class Cholmod final : public LinearSolver {
   }
 
   // Supernodal factor, its index lists and workspace, CHOLMOD's permuted copy of K, K's own values, and what
-  // refinement keeps for each link (resultants) and body (motion, residual, correction) in extended precision.
+  // refinement keeps for each link (resultants) and body (motion, residual, correction) in extended
+  // precision.
   double predict_bytes(const BondNetwork& network) const {
     const double entries = double(matrix_.nonZeros());
     const double factor = 8.0 * double(factor_->xsize) + 8.0 * double(factor_->ssize + 3 * factor_->nsuper);

@@ -72,8 +72,8 @@ void warn_of_lost_loads(const Model& model, const Group& group, const std::vecto
   }
 }
 
-std::string gigabytes(double bytes) {
-  return fmt::format("{:.2f} GB", bytes / 1e9);
+std::string size_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
 void refuse_what_does_not_fit(const AnalysisReport& analysis, const StaticOptions& options) {
@@ -82,7 +82,7 @@ void refuse_what_does_not_fit(const AnalysisReport& analysis, const StaticOption
   throw MemoryError(
       fmt::format("the solve of {} unknowns needs {} of memory, {} are at hand\n"
                   "    cure: use a machine with more memory, or a smaller model",
-                  analysis.unknowns, gigabytes(analysis.predicted_bytes), gigabytes(limit)));
+                  analysis.unknowns, size_text(analysis.predicted_bytes), size_text(limit)));
 }
 
 std::string unknown_name(const Model& model, const FreeDofs& dofs, Index unknown) {

@@ -32,7 +32,9 @@ struct Chain {
   double shear_tolerance;
 };
 
-void PrintTo(const Chain& chosen, std::ostream* out) { *out << chosen.bonds << " bonds"; }
+void PrintTo(const Chain& chosen, std::ostream* out) {
+  *out << chosen.bonds << " bonds";
+}
 
 class LongChain : public ::testing::TestWithParam<Chain> {};
 

@@ -22,7 +22,9 @@ struct LawCase {
   double smallest_radius = 0.3;  // 0.1 leaves gaps everywhere
 };
 
-void PrintTo(const LawCase& chosen, std::ostream* out) { *out << chosen.law; }
+void PrintTo(const LawCase& chosen, std::ostream* out) {
+  *out << chosen.law;
+}
 
 const LawCase law_cases[] = {
     {"Parallel", "parallel", {{"young", 5e9}, {"poisson", 0.2}, {"radius_factor", 0.8}}},

@@ -102,7 +102,9 @@ struct LatticeCase {
   std::function<CubicConstants(double kn, double ks)> expected;
 };
 
-void PrintTo(const LatticeCase& chosen, std::ostream* out) { *out << chosen.name; }
+void PrintTo(const LatticeCase& chosen, std::ostream* out) {
+  *out << chosen.name;
+}
 
 class CubicLattice : public ::testing::TestWithParam<LatticeCase> {};
 
