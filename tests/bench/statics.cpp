@@ -48,7 +48,7 @@ void run_program(const std::string& case_file) {
 
 // Simple cubic, touching particles, foot held, head pushed down and aside.
 Model cubic_lattice(int edge) {
-  using namespace bondstatic::testing;
+  using namespace bondstatic::test;
   Model model;
   model.blocks = {block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}, {"radius", 0.2}})};
   for (int x = 0; x < edge; ++x)
@@ -73,7 +73,7 @@ Model cubic_lattice(int edge) {
 
 // Tip of a cantilever of 10,000 bonds against F L^3 / 3EI + 10 F L / 9GA ([Chen2022] Eq. 29).
 void print_chain_errors() {
-  using namespace bondstatic::testing;
+  using namespace bondstatic::test;
   constexpr Index bonds = 10000;
   constexpr double young = 1e10, poisson = 0.25, r = 0.01, length = 1, force = 10;
   Model model = chain(block("timoshenko", {{"young", young}, {"poisson", poisson}, {"radius", r}}),

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/run_program.hpp"
 #include "case/sound_case.hpp"
 
 namespace bondstatic::test {
@@ -33,6 +34,18 @@ TEST_P(BadCase, IsOneFaultWithPlaceAndCure) {
   EXPECT_THAT(faults[0].message, testing::HasSubstr(slip.message));
   EXPECT_THAT(faults[0].cure, testing::HasSubstr(slip.cure));
   EXPECT_FALSE(faults[0].cure.empty());
+}
+
+TEST_P(BadCase, EndsTheProgramWith2AndLeavesNothing) {
+  const ScratchFolder folder;
+  const std::string file = folder.write("case.toml", sound_case({{GetParam().line, GetParam().replacement}}));
+  const Ended ended = run_program({"solve", file, "--out", (folder / "out").string()});
+  EXPECT_EQ(ended.code, int(ExitCode::invalid_input)) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, testing::HasSubstr(":" + std::to_string(GetParam().fault_line) + ":" +
+                                            std::to_string(GetParam().fault_column) + ": "));
+  EXPECT_THAT(ended.err, testing::HasSubstr("cure: "));
+  EXPECT_THAT(everything_in(folder.path()), testing::ElementsAre("case.toml"));
 }
 
 const std::vector<Slip> slips{

@@ -13,7 +13,7 @@
 namespace bondstatic {
 namespace {
 
-using namespace testing;
+using namespace test;
 using Random = std::mt19937_64;
 using Kind = Mechanism::Kind;
 

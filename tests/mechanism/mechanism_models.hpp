@@ -11,7 +11,7 @@
 
 #include "bondstatic/mechanism.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 
 inline constexpr SectionStiffness beam{1, 1, 1, 1, 0};
 inline constexpr SectionStiffness contact{1, 1, 0, 0, 0};
@@ -108,4 +108,4 @@ inline Eigen::MatrixXd brute_force_motions(const Net& net, const std::vector<boo
   return svd.matrixV().rightCols(6 * n - rank);
 }
 
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

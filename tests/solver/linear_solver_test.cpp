@@ -9,7 +9,7 @@
 #include "support/models.hpp"
 #include "system/assemble.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 struct Problem {
@@ -112,4 +112,4 @@ TEST(LinearSolver, UnknownNameIsAnsweredWithThoseOfThisBuild) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

@@ -8,7 +8,7 @@
 #include "bondstatic/statics.hpp"
 #include "support/models.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 BondBlock beam() {
@@ -177,4 +177,4 @@ TEST(StaticSolve, NumericallySingularEndsAsAccuracyError) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

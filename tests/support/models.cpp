@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 
 BondBlock block(const std::string& law_name, const Values& values, ContactPoint contact_point) {
   const BondLaw* law = find_bond_law(law_name);
@@ -86,4 +86,4 @@ Vector6 vector6(double x, double y, double z, double rx, double ry, double rz) {
   return v;
 }
 
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

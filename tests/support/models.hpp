@@ -9,7 +9,7 @@
 #include "bondstatic/bond_law.hpp"
 #include "bondstatic/model.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 
 using Values = std::vector<std::pair<std::string, double>>;
 
@@ -37,4 +37,4 @@ Model random_packing(std::mt19937_64& random, int edge, const BondBlock& block, 
 
 Vector6 vector6(double x, double y, double z, double rx = 0, double ry = 0, double rz = 0);
 
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

@@ -6,7 +6,7 @@
 
 #include "bondstatic/bond_law.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::vector<Vector6T<long double>> quad_displacement(const Model& model, Index l
   return displacement;
 }
 
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

@@ -7,9 +7,9 @@
 
 #include "bondstatic/model.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 
 /// Displacement of every particle in load case `load_case`; for models of some hundred unknowns.
 std::vector<Vector6T<long double>> quad_displacement(const Model& model, Index load_case = 0);
 
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

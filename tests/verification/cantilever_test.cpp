@@ -7,7 +7,7 @@
 #include "bondstatic/statics.hpp"
 #include "support/models.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -200,4 +200,4 @@ TEST(CantileverChain, RootBondCarriesTheLargestNormalStress) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

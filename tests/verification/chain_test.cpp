@@ -7,7 +7,7 @@
 #include "bondstatic/statics.hpp"
 #include "support/models.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 constexpr double young = 1e10, poisson = 0.25, bond_radius = 0.01;
@@ -112,4 +112,4 @@ INSTANTIATE_TEST_SUITE_P(Verification, SeriesContrast, ::testing::Bool(),
                          [](const auto& chosen) { return chosen.param ? "SoftFirst" : "StiffFirst"; });
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

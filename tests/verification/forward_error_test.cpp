@@ -5,7 +5,7 @@
 #include "support/models.hpp"
 #include "support/quad_reference.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 // Chains, packings, and packings of two materials far apart; loads and prescribed motions.
@@ -69,4 +69,4 @@ TEST(ForwardError, BoundsTheTrueErrorOf100RandomModels) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

@@ -10,7 +10,7 @@
 #include "support/models.hpp"
 #include "system/assemble.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 constexpr int packings = 200;
@@ -250,4 +250,4 @@ TEST(Scaling, ByPowersOfFourIsBitwise) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test

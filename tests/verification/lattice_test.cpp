@@ -10,7 +10,7 @@
 #include "bondstatic/statics.hpp"
 #include "support/models.hpp"
 
-namespace bondstatic::testing {
+namespace bondstatic::test {
 namespace {
 
 constexpr double length = 0.5;  // of every bond
@@ -151,4 +151,4 @@ TEST(TriangularSheet, HasTheYoungAndPoissonOfItsBonds) {
 }
 
 }  // namespace
-}  // namespace bondstatic::testing
+}  // namespace bondstatic::test
