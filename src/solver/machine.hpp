@@ -8,7 +8,7 @@ int cores_at_hand();
 
 /// At most `most` threads, but no more than there are idle processors at this moment, and at least 1. BLAS
 /// joins its threads thousands of times in a factorisation, and where one of them has to wait for a
-/// processor, all do: beside four busy processes on four cores, four threads take fifteen times as long as
+/// processor, all do: beside four busy processes on four cores, four threads took ten times as long as
 /// one.
 int threads_worth_having(int most);
 

@@ -27,19 +27,10 @@ long double timoshenko_deflection(long double x, long double length) {
          10 * x / (9 * shear_modulus * area(bond_radius));
 }
 
-struct Chain {
-  Index bonds;
-  double shear_tolerance;
-};
-
-void PrintTo(const Chain& chosen, std::ostream* out) {
-  *out << chosen.bonds << " bonds";
-}
-
-class LongChain : public ::testing::TestWithParam<Chain> {};
+class LongChain : public ::testing::TestWithParam<Index> {};
 
 TEST_P(LongChain, EqualsBeamTheoryAlongASkewAxis) {
-  const auto [bonds, shear_tolerance] = GetParam();
+  const Index bonds = GetParam();
   const Vector3 axis(0.6, 0.64, 0.48), across = Vector3(-0.64, 0.6, 0).normalized();
   Model model = chain(block("timoshenko", {{"young", young}, {"poisson", poisson}, {"radius", bond_radius}}),
                       Vector3::Zero(), axis, bonds, 0.5 / double(bonds));
@@ -59,15 +50,13 @@ TEST_P(LongChain, EqualsBeamTheoryAlongASkewAxis) {
         across.cast<long double>().dot(result.displacement[p].head<3>().cast<long double>());
     ASSERT_NEAR(double(found / expected), 1, 1e-13) << "particle " << p;
   }
-  for (const BondResult& bond : result.bonds) ASSERT_NEAR(bond.shear_force / 10, 1, shear_tolerance);
+  for (const BondResult& bond : result.bonds) ASSERT_NEAR(bond.shear_force / 10, 1, 1e-15);
   EXPECT_LT(result.accuracy.backward_error, 1e-15);
   EXPECT_LT(result.accuracy.forward_error, 1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Verification, LongChain,
-                         ::testing::Values(Chain{10, 1e-12}, Chain{100, 1e-10}, Chain{1000, 1e-8},
-                                           Chain{10000, 1e-6}),
-                         [](const auto& chosen) { return std::to_string(chosen.param.bonds) + "Bonds"; });
+INSTANTIATE_TEST_SUITE_P(Verification, LongChain, ::testing::Values(10, 100, 1000, 10000),
+                         [](const auto& chosen) { return std::to_string(chosen.param) + "Bonds"; });
 
 // Soft near the support and stiff beyond, or the other way round: compliances add.
 class SeriesContrast : public ::testing::TestWithParam<bool> {};
