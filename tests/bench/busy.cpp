@@ -18,8 +18,8 @@ BusyProcesses::BusyProcesses(int count) {
       continue;
     }
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // none must outlive the benchmark
-    for (volatile double x = 1;; x = x * 1.0000001 + 1e-9) {
-    }
+    volatile double x = 1;
+    for (;;) x = x * 1.0000001 + 1e-9;
   }
 }
 
