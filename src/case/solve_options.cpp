@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "bondstatic/linear_solver.hpp"
+
 namespace bondstatic {
 namespace {
 
@@ -46,9 +48,9 @@ double read_memory_limit(TableReader& solve) {
 StaticOptions read_solve_options(Reading& reading, Node& table) {
   TableReader solve(reading, table, "[solve]");
   StaticOptions options;
-  const auto solver = solve.text("solver");
-  solve.set_default("solver", Node::of(options.solver));
-  options.solver = solver.value_or(options.solver);
+  std::vector<std::string> solvers{"auto"};
+  for (const SolverInfo& info : available_solvers()) solvers.push_back(info.name);
+  options.solver = solve.choice_or("solver", options.solver, solvers);
   options.tolerance = solve.number_or("tolerance", options.tolerance, dimension::none, Allowed::positive);
   const std::string unsupported =
       solve.choice_or("unsupported", "error", std::vector<std::string>{"error", "drop"});

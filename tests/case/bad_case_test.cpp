@@ -212,6 +212,7 @@ const std::vector<Slip> slips{
     {"GravityOnLight", 19, "[[loads]]\nat = { id = 3 }\ngravity = [0, 0, -9.81]", 21, 11,
      "particle 3, which has no density", "density"},
     {"CaseNoFolder", 14, "force = [0, 0, 1]\ncase = \"a/b\"", 15, 8, "cannot name a folder", "letters"},
+    {"SolverUnknown", 19, "[solve]\nsolver = \"eigne\"", 20, 10, "one of: auto, ", "\"eigen\""},
     // outputs
     {"OutputNameless", 16, "", 15, 1, "[[outputs]] needs name", "name"},
     {"OutputTwice", 19, "[[outputs]]\nname = \"tip\"\nof = \"energy\"", 20, 8,

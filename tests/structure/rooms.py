@@ -14,7 +14,7 @@ MAY_USE["app"] = set(MAY_USE)
 
 # The public headers belong to rooms, too.
 ROOM_OF_HEADER = {
-    "types": "io", "error": "io", "units": "io", "version": "io", "version": "io",
+    "types": "io", "error": "io", "units": "io", "version": "io",
     "model": "model",
     "bond": "bond", "bond_law": "bond",
     "network": "system",
@@ -23,8 +23,8 @@ ROOM_OF_HEADER = {
     "output": "results", "results": "results",
     "case_file": "case",
 }
-# A case says what is asked of the solve: it may fill these structs.
-ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp"}}
+# A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.
+ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp"}}
 
 # Foreign headers that only one place may know.
 ONLY_IN = {
