@@ -24,10 +24,11 @@ void for_each_unknown(const FreeDofs& dofs, Visit visit) {
 }
 
 // Forces as the solver wants them: moments divided by the length that its rotations are multiplied by.
-Eigen::VectorXd to_unknowns(const BodyVectors<Extended>& forces, const FreeDofs& dofs, double length) {
+template <class Scalar>
+Eigen::VectorXd to_unknowns(const BodyVectors<Scalar>& forces, const FreeDofs& dofs, double length) {
   Eigen::VectorXd values(dofs.unknowns());
   for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
-    values[unknown] = to_double(forces[p][i]) / (i < 3 ? 1 : length);
+    values[unknown] = forces[p].template cast<double>()[i] / (i < 3 ? 1 : length);
   });
   return values;
 }
@@ -49,8 +50,8 @@ double sign_of(std::uint64_t n) {
 
 // Forces that a relative motion of rounding size in every link would need, with random signs: B^T C e with
 // |e| <= 4 eps |B| |u|. The motion they cause shows what the natural form cannot see of u.
-BodyVectors<Extended> rounding_forces(const BondNetwork& network, const Incidence& incidence,
-                                      const BodyVectors<double>& motion) {
+BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence& incidence,
+                                    const BodyVectors<double>& motion) {
   BodyVectors<double> q(network.links.size());
   for (std::size_t k = 0; k < q.size(); ++k) {
     const Link& link = network.links[k];
@@ -58,10 +59,7 @@ BodyVectors<Extended> rounding_forces(const BondNetwork& network, const Incidenc
     for (int i = 0; i < 6; ++i) e[i] *= 4 * extended_rounding * sign_of(6 * k + std::uint64_t(i));
     q[k] = resultants<double>(link.stiffness, bond_axis<double>(link), e);
   }
-  const auto forces = gather_forces<double>(network, incidence, q, 1);
-  BodyVectors<Extended> extended(forces.size());
-  for (std::size_t p = 0; p < forces.size(); ++p) extended[p] = forces[p].cast<Extended>();
-  return extended;
+  return gather_forces<double>(network, incidence, q, 1);
 }
 
 // Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double.
