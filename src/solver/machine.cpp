@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -34,6 +35,20 @@ double field_of(const std::string& path, const std::string& name) {
   for (std::string line; std::getline(file, line);)
     if (line.rfind(name, 0) == 0) return std::strtod(line.c_str() + name.size(), nullptr);
   return unlimited;
+}
+
+// Threads of this process that run now: OpenBLAS's workers spin for a while after the program has started.
+int own_running_threads() {
+  int running = 0;
+  std::error_code none;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", none)) {
+    std::ifstream file(task.path() / "stat");
+    std::string line;
+    std::getline(file, line);
+    const std::size_t name_end = line.rfind(") ");  // the name may hold anything
+    running += name_end != std::string::npos && line[name_end + 2] == 'R';
+  }
+  return std::max(1, running);
 }
 
 // Bytes in a "Name:   123 kB" line, as in /proc/meminfo.
@@ -105,9 +120,10 @@ int threads_worth_having(int most) {
   int idle = 0;
   for (int i = 0; i < samples && idle < most; ++i) {
     if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const int own = own_running_threads();
     const double running = field_of("/proc/stat", "procs_running");
     if (!(running < unlimited)) return most;
-    idle = std::max(idle, int(sysconf(_SC_NPROCESSORS_ONLN)) - (int(running) - 1));  // less this process
+    idle = std::max(idle, int(sysconf(_SC_NPROCESSORS_ONLN)) - std::max(0, int(running) - own));
   }
   return std::clamp(idle, 1, most);
 }
