@@ -21,6 +21,10 @@ struct Particle {
   double density = not_given;
 };
 
+/// Of a solid sphere: 4/3 pi R^3 density, and 2/5 m R^2 about any axis; NaN where the density is not given.
+double mass(const Particle& particle);
+double moment_of_inertia(const Particle& particle);
+
 /// Where along the branch vector a bond's force and moment act ([Chen2022] Eq. 1, 44 and section 4.3).
 struct ContactPoint {
   enum class Kind {

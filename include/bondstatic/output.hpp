@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bondstatic/model.hpp"
+#include "bondstatic/state.hpp"
 #include "bondstatic/statics.hpp"
 
 namespace bondstatic {
@@ -46,7 +48,13 @@ struct Quantity {
 };
 const std::vector<Quantity>& output_quantities();
 
+/// One value an output, from the state of its load case; `states` are one a load case.
+std::vector<OutputValue> evaluate_outputs(const Model& model, const std::vector<const State*>& states,
+                                          const std::vector<Output>& outputs);
 std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSolution& solution,
                                           const std::vector<Output>& outputs);
+
+/// The value of one output in the state of its load case.
+double evaluate_output(const Model& model, const State& state, const Output& output);
 
 }  // namespace bondstatic

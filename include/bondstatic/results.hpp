@@ -48,12 +48,12 @@ void write_results(const Model& model, const RunInfo& run, const StaticSolution&
                    const std::vector<OutputValue>& outputs, const std::string& folder,
                    const std::function<void()>& checkpoint = {});
 
-/// Where a load case moves most: particle by model position (-1 where there is none) and its displacement.
+/// Where a model moves most: particle by model position (-1 where there is none) and its displacement.
 struct LargestDisplacement {
   Index particle = -1;
   Vector3 displacement = Vector3::Zero();
 };
-LargestDisplacement largest_displacement(const LoadCaseResult& result);
+LargestDisplacement largest_displacement(const State& state);
 
 /// The worst of each figure over the load cases.
 Accuracy worst_accuracy(const StaticSolution& solution);

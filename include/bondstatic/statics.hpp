@@ -7,6 +7,7 @@
 
 #include "bondstatic/linear_solver.hpp"
 #include "bondstatic/model.hpp"
+#include "bondstatic/state.hpp"
 
 namespace bondstatic {
 
@@ -23,19 +24,6 @@ struct StaticOptions {
   std::function<void(const std::string& phase)> progress;  ///< called as each phase begins; may be null
 };
 
-/// What one bond carries. Force and moment are what the bond does to particle b, reduced to the contact
-/// point, global axes (-q of bond.hpp); normal_force is positive in tension.
-struct BondResult {
-  Vector6 force = Vector6::Zero();
-  double normal_force = 0;
-  double shear_force = 0;
-  double twisting_moment = 0;  ///< signed: moment . e_x
-  double bending_moment = 0;
-  double sigma = not_given;  ///< NaN where the bond has no section
-  double tau = not_given;
-  double energy = 0;  ///< delta^T C delta / 2
-};
-
 /// How good the answer is. Norms run over all unknowns, rotations times network.rotation_length.
 struct Accuracy {
   double backward_error = 0;  ///< max |f - K u| / (|B^T| |C| |B| |u| + |f|), residual in natural form
@@ -48,14 +36,7 @@ struct Accuracy {
   double energy_balance = 0;  ///< |2 U - work| / (2 U)
 };
 
-struct LoadCaseResult {
-  std::string name;
-  std::vector<Vector6> displacement;  ///< by particle; NaN where left out
-  std::vector<Vector6>
-      reaction;  ///< what the support does to the particle; zero where free, NaN where left out
-  std::vector<BondResult> bonds;  ///< NaN where left out
-  double energy = 0;
-  double work = 0;  ///< of the loads and of moved supports, through the whole motion (= 2 energy)
+struct LoadCaseResult : State {
   Accuracy accuracy;
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "case/load_cases.hpp"
 #include "case/selector.hpp"
@@ -73,9 +72,8 @@ void read_loads(Draft& draft, Node* list) {
       }
     for (const Index particle : pulled) {
       const Particle& body = draft.model.particles[std::size_t(particle)];
-      const double mass = 4.0 / 3 * std::numbers::pi * body.radius * body.radius * body.radius * body.density;
       Load weight{particle, Vector6::Zero(), load.load_case};
-      weight.force.head<3>() = mass * *gravity;
+      weight.force.head<3>() = mass(body) * *gravity;
       draft.model.loads.push_back(weight);
     }
   });

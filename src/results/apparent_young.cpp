@@ -8,7 +8,7 @@ namespace bondstatic {
 
 namespace {
 
-bool left_out(const LoadCaseResult& result, Index particle) {
+bool left_out(const State& result, Index particle) {
   return std::isnan(result.displacement[std::size_t(particle)][0]);
 }
 
@@ -17,7 +17,7 @@ struct Platen {
 };
 
 /// Means of the position and the displacement along the axis, sum of the reactions.
-Platen platen(const Model& model, const LoadCaseResult& result, const std::vector<Index>& particles,
+Platen platen(const Model& model, const State& result, const std::vector<Index>& particles,
               const Vector3& axis) {
   Platen sum;
   double count = 0;
@@ -32,7 +32,7 @@ Platen platen(const Model& model, const LoadCaseResult& result, const std::vecto
   return {sum.centre / count, sum.displacement / count, sum.reaction};
 }
 
-double width(const Model& model, const LoadCaseResult& result, const Vector3& direction) {
+double width(const Model& model, const State& result, const Vector3& direction) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t i = 0; i < model.particles.size(); ++i) {
     if (left_out(result, Index(i))) continue;
@@ -45,7 +45,7 @@ double width(const Model& model, const LoadCaseResult& result, const Vector3& di
 
 }  // namespace
 
-double apparent_young(const Model& model, const LoadCaseResult& result, const Output& output) {
+double apparent_young(const Model& model, const State& result, const Output& output) {
   const Vector3 axis = output.axis.normalized();
   int main_axis = 0;
   axis.cwiseAbs().maxCoeff(&main_axis);

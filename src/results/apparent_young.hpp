@@ -3,7 +3,7 @@
 
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
-#include "bondstatic/statics.hpp"
+#include "bondstatic/state.hpp"
 
 namespace bondstatic {
 
@@ -16,6 +16,6 @@ namespace bondstatic {
 ///
 /// Particles that were left out (NaN) count nowhere; NaN where a platen has no particle left.
 /// The box stands on the two global axes farthest from `output.axis`, made perpendicular to it.
-double apparent_young(const Model& model, const LoadCaseResult& result, const Output& output);
+double apparent_young(const Model& model, const State& result, const Output& output);
 
 }  // namespace bondstatic

@@ -33,7 +33,7 @@ Index id_of(const Model& model, Index particle) {
 
 }  // namespace
 
-std::vector<Column> particle_columns(const Model& model, const LoadCaseResult& result) {
+std::vector<Column> particle_columns(const Model& model, const State& result) {
   std::vector<Column> columns{particle_ids(model)};
   for (const ParticleQuantity& quantity : particle_quantities()) {
     if (!quantity.column) continue;
@@ -45,7 +45,7 @@ std::vector<Column> particle_columns(const Model& model, const LoadCaseResult& r
   return columns;
 }
 
-std::vector<Column> bond_columns(const Model& model, const LoadCaseResult& result) {
+std::vector<Column> bond_columns(const Model& model, const State& result) {
   std::vector<Column> columns{
       {"id", collect(model.bonds, [](const Bond& bond) { return bond.id; })},
       {"a", collect(model.bonds, [&](const Bond& bond) { return id_of(model, bond.a); })},
@@ -55,7 +55,7 @@ std::vector<Column> bond_columns(const Model& model, const LoadCaseResult& resul
   return columns;
 }
 
-std::vector<Column> point_data(const Model& model, const LoadCaseResult& result) {
+std::vector<Column> point_data(const Model& model, const State& result) {
   return {particle_ids(model),
           {"radius", collect(model.particles, [](const Particle& particle) { return particle.radius; })},
           vectors("displacement", result.displacement, 0),

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
-#include "bondstatic/statics.hpp"
+#include "bondstatic/state.hpp"
 #include "io/column.hpp"
 
 namespace bondstatic {
 
-std::vector<Column> particle_columns(const Model& model, const LoadCaseResult& result);
-std::vector<Column> bond_columns(const Model& model, const LoadCaseResult& result);
+std::vector<Column> particle_columns(const Model& model, const State& result);
+std::vector<Column> bond_columns(const Model& model, const State& result);
 
 /// id, radius; displacement, rotation, reaction_force, reaction_moment as vectors.
-std::vector<Column> point_data(const Model& model, const LoadCaseResult& result);
+std::vector<Column> point_data(const Model& model, const State& result);
 
 }  // namespace bondstatic

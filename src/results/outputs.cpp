@@ -17,13 +17,13 @@ namespace {
               fmt::format("output \"{}\": {}\n    cure: {}", output.name, reason, cure));
 }
 
-const LoadCaseResult& load_case_of(const Output& output, const StaticSolution& solution) {
-  for (const LoadCaseResult& result : solution.cases)
-    if (result.name == output.load_case) return result;
-  if (output.load_case.empty() && solution.cases.size() == 1) return solution.cases.front();
+const State& load_case_of(const Output& output, const std::vector<const State*>& states) {
+  for (const State* state : states)
+    if (state->name == output.load_case) return *state;
+  if (output.load_case.empty() && states.size() == 1) return *states.front();
   std::string names;
-  for (const LoadCaseResult& result : solution.cases)
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", result.name);
+  for (const State* state : states)
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", state->name);
   refuse(output, fmt::format("no load case \"{}\"", output.load_case), "set case to one of " + names);
 }
 
@@ -44,7 +44,7 @@ double reduce(const Output& output, std::vector<double> values) {
   return double(sum);
 }
 
-double quantity_of(const Output& output, const Model& model, const LoadCaseResult& result) {
+double quantity_of(const Output& output, const Model& model, const State& result) {
   if (output.of == "apparent_young") return apparent_young(model, result, output);
   // "energy" is a column of bonds as well: with a selection it is theirs.
   if (output.of == "energy" && output.at.empty()) return result.energy;
@@ -88,14 +88,25 @@ double OutputValue::relative_error() const {
   return *expected == 0 ? std::abs(value) : std::abs(value - *expected) / std::abs(*expected);
 }
 
-std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSolution& solution,
+double evaluate_output(const Model& model, const State& state, const Output& output) {
+  return output.scale * quantity_of(output, model, state);
+}
+
+std::vector<OutputValue> evaluate_outputs(const Model& model, const std::vector<const State*>& states,
                                           const std::vector<Output>& outputs) {
   std::vector<OutputValue> values;
   for (const Output& output : outputs) {
-    const double value = output.scale * quantity_of(output, model, load_case_of(output, solution));
+    const double value = evaluate_output(model, load_case_of(output, states), output);
     values.push_back({output.name, value, output.expected, output.tolerance, output.source});
   }
   return values;
+}
+
+std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSolution& solution,
+                                          const std::vector<Output>& outputs) {
+  std::vector<const State*> states;
+  for (const State& state : solution.cases) states.push_back(&state);
+  return evaluate_outputs(model, states, outputs);
 }
 
 }  // namespace bondstatic

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
-#include "bondstatic/statics.hpp"
+#include "bondstatic/state.hpp"
 
 namespace bondstatic {
 

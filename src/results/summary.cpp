@@ -118,14 +118,14 @@ Accuracy worst_accuracy(const StaticSolution& solution) {
   return worst;
 }
 
-LargestDisplacement largest_displacement(const LoadCaseResult& result) {
+LargestDisplacement largest_displacement(const State& state) {
   LargestDisplacement largest;
   double most = -1;
-  for (std::size_t i = 0; i < result.displacement.size(); ++i) {
-    const double magnitude = result.displacement[i].head<3>().stableNorm();
+  for (std::size_t i = 0; i < state.displacement.size(); ++i) {
+    const double magnitude = state.displacement[i].head<3>().stableNorm();
     if (!(magnitude > most)) continue;  // nor where it is NaN
     most = magnitude;
-    largest = {Index(i), result.displacement[i].head<3>()};
+    largest = {Index(i), state.displacement[i].head<3>()};
   }
   return largest;
 }

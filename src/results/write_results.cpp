@@ -39,7 +39,7 @@ std::vector<std::string> earlier_files(const std::string& folder) {
   return names;
 }
 
-void write_vtu(OutputFile& file, const Model& model, const LoadCaseResult& result,
+void write_vtu(OutputFile& file, const Model& model, const State& result,
                const std::vector<Column>& line_data) {
   std::vector<double> points;
   points.reserve(3 * model.particles.size());
@@ -51,7 +51,7 @@ void write_vtu(OutputFile& file, const Model& model, const LoadCaseResult& resul
   write_vtu(file, LineGrid{points, lines, point_data(model, result), line_data});
 }
 
-void write_load_case(FileSet& files, const Model& model, const LoadCaseResult& result) {
+void write_load_case(FileSet& files, const Model& model, const State& result) {
   const std::string prefix = prefix_of(model, result.name);
   write_csv(files.create(prefix + "particles.csv"), particle_columns(model, result));
   const std::vector<Column> bonds = bond_columns(model, result);
@@ -79,7 +79,7 @@ void write_results(const Model& model, const RunInfo& run, const StaticSolution&
                    const std::function<void()>& checkpoint) {
   FileSet files(folder, checkpoint);
   files.supersede(earlier_files(folder));
-  for (const LoadCaseResult& result : solution.cases) write_load_case(files, model, result);
+  for (const State& result : solution.cases) write_load_case(files, model, result);
   files.create("case.resolved.toml").append(run.resolved);
   files.create("summary.json").append(summary_json(model, run, solution, outputs, result_files(model)));
   files.commit();

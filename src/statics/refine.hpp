@@ -11,7 +11,7 @@
 
 #include "bondstatic/linear_solver.hpp"
 #include "bondstatic/statics.hpp"
-#include "statics/boundary.hpp"
+#include "model/boundary.hpp"
 #include "system/extended.hpp"
 #include "system/natural_form.hpp"
 

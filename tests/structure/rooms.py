@@ -17,6 +17,7 @@ ROOM_OF_HEADER = {
     "types": "io", "error": "io", "units": "io", "version": "io",
     "model": "model",
     "bond": "bond", "bond_law": "bond",
+    "state": "model",
     "network": "system",
     "linear_solver": "solver",
     "mechanism": "mechanism", "statics": "statics",

@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
-#include "bondstatic/network.hpp"
 
 namespace bondstatic {
 
 struct Boundary {
-  std::vector<std::uint8_t> free;   ///< masks as in FreeDofs
+  std::vector<std::uint8_t> free;   ///< bit i of free[p]: degree of freedom i of particle p is free
   std::vector<Vector6> prescribed;  ///< motion where not free, zero elsewhere
   std::vector<Vector6> load;
 };

@@ -1,4 +1,4 @@
-#include "statics/boundary.hpp"
+#include "model/boundary.hpp"
 
 #include <fmt/format.h>
 
