@@ -1,6 +1,5 @@
 #include "io/file_set.hpp"
 
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -50,9 +49,8 @@ FileSet::FileSet(const fs::path& folder, Checkpoint checkpoint)
     : folder_(plain(folder)), checkpoint_(std::move(checkpoint)) {
   try {
     make_folders(folder_);
-    std::string pattern = (folder_ / ".bondstatic-XXXXXX").string();
-    if (!::mkdtemp(pattern.data())) unusable(folder_, std::strerror(errno));
-    staging_ = pattern;
+    sweep_stale_staging(folder_);
+    staging_ = make_staging(folder_, lock_);
   } catch (const fs::filesystem_error& error) {
     remove_made_folders();
     unusable(folder_, error.code().message());
@@ -65,8 +63,7 @@ FileSet::FileSet(const fs::path& folder, Checkpoint checkpoint)
 FileSet::~FileSet() {
   current_.reset();
   roll_back();
-  std::error_code ignored;
-  fs::remove_all(staging_, ignored);
+  remove_staging(staging_);
   remove_made_folders();
 }
 
@@ -82,7 +79,7 @@ void FileSet::make_folders(const fs::path& folder) {
 
 OutputFile& FileSet::create(const std::string& name) {
   finish_current();
-  const fs::path path = staging_ / "new" / name;
+  const fs::path path = staging_ / staged_new / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) unusable(folder_, error.message());
@@ -103,9 +100,16 @@ void FileSet::move(const fs::path& from, const fs::path& to) {
 }
 
 void FileSet::set_aside(const std::string& name) {
-  const fs::path aside = staging_ / "old" / name;
+  const fs::path aside = staging_ / staged_old / name;
   fs::create_directories(aside.parent_path());
   move(folder_ / name, aside);
+}
+
+void FileSet::declare_ready() {
+  if (names_.empty()) return;
+  const Move ready{staging_ / staged_new, staging_ / staged_ready};
+  fs::rename(ready.from, ready.to);
+  moves_.push_back(ready);
 }
 
 void FileSet::commit() {
@@ -117,9 +121,10 @@ void FileSet::commit() {
     // In reverse: the last file of a set vouches for the others, so it goes first and comes last.
     for (auto name = superseded_.rbegin(); name != superseded_.rend(); ++name)
       if (present(folder_ / *name)) set_aside(*name);
+    declare_ready();
     for (const std::string& name : names_) {
       make_folders((folder_ / name).parent_path());
-      move(staging_ / "new" / name, folder_ / name);
+      move(staging_ / staged_ready / name, folder_ / name);
     }
   } catch (const fs::filesystem_error& error) {
     roll_back();

@@ -1,5 +1,6 @@
 // A set of output files that appears whole or not at all: written to a staging folder inside the target
 // folder, renamed into place by commit(), and removed without a trace where commit() is not reached or fails.
+// A staging folder that a killed run left behind is removed by the next set in the same folder.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "io/output_file.hpp"
+#include "io/stale_staging.hpp"
 
 namespace bondstatic {
 
@@ -40,10 +42,12 @@ class FileSet {
   void move(const std::filesystem::path& from, const std::filesystem::path& to);
   void finish_current();
   void set_aside(const std::string& name);
+  void declare_ready();
   void roll_back() noexcept;
   void remove_made_folders() noexcept;
 
   std::filesystem::path folder_, staging_;
+  FolderLock lock_;  ///< on the staging folder
   Checkpoint checkpoint_;
   std::vector<std::string> names_, superseded_;
   std::unique_ptr<OutputFile> current_;

@@ -2,11 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "bondstatic/error.hpp"
+#include "io/file_limits.hpp"
 #include "io/scratch_folder.hpp"
 
 namespace bondstatic {
@@ -14,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::everything_in;
+using test::FileSizeLimit;
 using test::read_text;
 using test::ScratchFolder;
 using testing::HasSubstr;
@@ -134,24 +133,6 @@ TEST(FileSet, CheckFindsFilesInTheWayBeforeTheWork) {
   EXPECT_NO_THROW(check_writable(scratch / "not/yet/there", {"bonds.csv"}, {}));
   EXPECT_THAT(everything_in(scratch.path()), UnorderedElementsAre("bonds.csv"));
 }
-
-/// Limits the size of files while it lives, which makes writes fail as a full disk does.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 TEST(FileSet, FailedWriteNamesThePathAndLeavesNothing) {
   const ScratchFolder scratch;
