@@ -3,7 +3,7 @@
 
 # libopenblas0-pthread by name: libsuitesparse-dev is content with the much slower reference BLAS.
 solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev
-                 nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread)
+                 nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev)
 test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox)
 
 say() { echo "bondstatic: $*" >&2; }

@@ -7,8 +7,12 @@ import re
 import sys
 
 # A room may include from itself and from the rooms in its set. io holds what everything stands on.
-LINE_OF_ROOMS = ["io", "model", "bond", "system", "mechanism", "solver", "statics", "results"]
+LINE_OF_ROOMS = ["io", "model", "bond", "dynamics", "system", "mechanism", "solver", "statics", "modes", "relax", "check",
+                 "results"]
 MAY_USE = {room: set(LINE_OF_ROOMS[:i]) for i, room in enumerate(LINE_OF_ROOMS)}
+# The explicit run checks the static answer, so neither may stand on the other.
+for room in ["system", "mechanism", "solver", "statics", "modes"]:
+    MAY_USE[room].discard("dynamics")
 MAY_USE["case"] = {"io", "model", "bond"}
 MAY_USE["app"] = set(MAY_USE)
 
@@ -21,15 +25,18 @@ ROOM_OF_HEADER = {
     "network": "system",
     "linear_solver": "solver",
     "mechanism": "mechanism", "statics": "statics",
+    "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check",
     "output": "results", "results": "results",
     "case_file": "case",
 }
 # A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.
-ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp"}}
+ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp",
+                         "bondstatic/relaxation.hpp", "bondstatic/dynamics.hpp"}}
 
 # Foreign headers that only one place may know.
 ONLY_IN = {
     r"toml\+\+/": r"case/",
+    r"Spectra/": r"modes/",
     r"CLI/": r"app/",
     r"cholmod\.h|SuiteSparse_config\.h|suitesparse/": r"solver/cholmod",
 }

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cmath>
+
+#include "modes/eigenpairs.hpp"
+#include "modes/masses.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+// The solver's unknowns are rotations times a length: M^1/2 in them, by unknown.
+Eigen::VectorXd solver_weights(const Eigen::VectorXd& roots, const FreeDofs& dofs, double length) {
+  Eigen::VectorXd weights = roots;
+  Index unknown = 0;
+  for (std::size_t p = 0; p < dofs.free.size(); ++p)
+    for (int i = 0; i < 6; ++i)
+      if (dofs.is_free(Index(p), i)) weights[unknown++] /= i < 3 ? 1 : length;
+  return weights;
+}
+
+Mode mode_of(const BondNetwork& network, const FreeDofs& dofs, const Eigen::VectorXd& roots,
+             Eigen::VectorXd y) {
+  Index largest = 0;
+  y.cwiseAbs().maxCoeff(&largest);
+  y /= std::copysign(y.norm(), y[largest]);
+  Mode mode;
+  mode.shape.resize(std::size_t(network.bodies));
+  motion_of(y.data(), roots, dofs, mode.shape);
+  mode.frequency = std::sqrt(twice_energy(network, mode.shape));
+  return mode;
+}
+
+}  // namespace
+
+std::vector<Mode> lowest_modes(const BondNetwork& network, const FreeDofs& dofs, const BodyMasses& masses,
+                               LinearSolver& factorised, Index count) {
+  const Index n = dofs.unknowns();
+  count = std::min(count, n);
+  if (count <= 0) return {};
+  const Eigen::VectorXd roots = mass_roots(masses, dofs);
+  const Eigen::VectorXd weights = solver_weights(roots, dofs, network.rotation_length);
+  const Operator flexibility = [&](const double* x, double* y) {
+    const Eigen::VectorXd force = weights.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(x, n));
+    Eigen::Map<Eigen::VectorXd>(y, n) = weights.cwiseProduct(factorised.solve(force).col(0));
+  };
+  const EigenPairs pairs = largest_eigenpairs(n, flexibility, count);
+  std::vector<Mode> modes;
+  modes.reserve(std::size_t(count));
+  for (Index i = 0; i < count; ++i) modes.push_back(mode_of(network, dofs, roots, pairs.vectors.col(i)));
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
+  return modes;
+}
+
+}  // namespace bondstatic
