@@ -1,0 +1,40 @@
+// One thread or all of them, whichever is faster just now. A step is so short that threads meet thousands of
+// times a second: where another process takes one of their cores, all wait for it, and one thread alone is up
+// to a hundred times faster. The bits are the same, so the clock may decide.
+#pragma once
+
+#include <chrono>
+
+#include "bondstatic/types.hpp"
+
+namespace bondstatic {
+
+class ThreadChoice {
+ public:
+  /// Runs so many steps by `work(steps, together)`.
+  template <class Work>
+  void operator()(Index steps, Work work) {
+    constexpr Index trial = 3, calls_between_trials = 64;
+    if (calls_++ % calls_between_trials == 0 && steps > 2 * trial) {
+      timed(trial, !together_, work);
+      steps -= trial;
+    }
+    timed(steps, together_, work);
+    if (cost_[!together_] < 0.9 * cost_[together_]) together_ = !together_;
+  }
+
+ private:
+  template <class Work>
+  void timed(Index steps, bool together, Work work) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    work(steps, together);
+    cost_[together] = std::chrono::duration<double>(Clock::now() - begin).count() / double(steps);
+  }
+
+  bool together_ = false;
+  Index calls_ = 0;
+  double cost_[2] = {1e300, 1e300};  ///< seconds a step, alone and together
+};
+
+}  // namespace bondstatic
