@@ -6,15 +6,23 @@
 
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
+#include "bondstatic/relaxation.hpp"
 #include "bondstatic/statics.hpp"
 
 namespace bondstatic {
+
+/// What a case is read for decides what it must have.
+enum class Purpose {
+  statics,
+  dynamics,  ///< a run through time: every particle needs a density
+};
 
 struct Case {
   std::string title;
   std::string file;  ///< as given
   Model model;
   StaticOptions solve;
+  RelaxOptions relax;  ///< of [dynamics] and [check]
   std::vector<Output> outputs;
   std::vector<std::string> warnings;
   std::string resolved;  ///< the case as TOML with defaults and overrides filled in
@@ -25,6 +33,6 @@ struct Case {
 /// before reading. Throws InputError with every fault found. Paths in `resolved` are written relative to
 /// `resolved_folder` where that is not empty.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides = {},
-               const std::string& resolved_folder = "");
+               const std::string& resolved_folder = "", Purpose purpose = Purpose::statics);
 
 }  // namespace bondstatic

@@ -15,8 +15,10 @@
 #include <string>
 #include <vector>
 
+#include "bondstatic/check.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
+#include "bondstatic/relaxation.hpp"
 #include "bondstatic/statics.hpp"
 
 namespace bondstatic {
@@ -47,6 +49,22 @@ void check_result_folder(const Model& model, const std::string& folder);
 void write_results(const Model& model, const RunInfo& run, const StaticSolution& solution,
                    const std::vector<OutputValue>& outputs, const std::string& folder,
                    const std::function<void()>& checkpoint = {});
+
+/// The same for a run to rest, with history.csv beside the tables of each load case. Where it is at rest a
+/// checkpoint that lies in the folder has served and goes.
+std::vector<std::string> relaxation_files(const Model& model);
+std::string relaxation_json(const Model& model, const RunInfo& run, const Relaxation& relaxation,
+                            const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
+void check_relaxation_folder(const Model& model, const std::string& folder);
+void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& relaxation,
+                      const std::vector<OutputValue>& outputs, const std::string& folder,
+                      const std::function<void()>& checkpoint = {});
+
+/// The certificate as JSON.
+std::string certificate_json(const Model& model, const RunInfo& run, const Certificate& certificate);
+
+/// Name of the checkpoint of a run to rest, inside the folder of its results.
+inline constexpr const char* checkpoint_file = "relax.checkpoint";
 
 /// Where a model moves most: particle by model position (-1 where there is none) and its displacement.
 struct LargestDisplacement {

@@ -18,6 +18,8 @@ struct Dimension {
 namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{0, 1, 0};
+inline constexpr Dimension time{0, 0, 1};
+inline constexpr Dimension velocity{0, 1, -1};
 inline constexpr Dimension density{1, -3, 0};
 inline constexpr Dimension acceleration{0, 1, -2};
 inline constexpr Dimension force{1, 1, -2};

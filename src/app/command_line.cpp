@@ -92,6 +92,25 @@ ExitCode run_command_line(int argc, char** argv) {
       ->allow_extra_args(false)
       ->required();
 
+  RelaxArguments relax_arguments;
+  CLI::App* relax_command =
+      app.add_subcommand("relax", "run the case through time to its state of rest (explicit DEM)");
+  add_solve_options(*relax_command, relax_arguments.solve);
+  relax_command->add_flag("--json", relax_arguments.solve.json, "print the answer as JSON");
+  relax_command->add_flag("--resume", relax_arguments.resume,
+                          "go on from the checkpoint in DIR where there is one");
+  relax_command
+      ->add_option("--checkpoint-every", relax_arguments.checkpoint_every,
+                   "write a checkpoint into DIR so often (default: 60)")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
+
+  SolveArguments check_arguments;
+  CLI::App* check_command =
+      app.add_subcommand("check", "static answer and explicit run of a case: a certificate that they agree");
+  add_solve_options(*check_command, check_arguments);
+  check_command->add_flag("--json", check_arguments.json, "print the certificate as JSON");
+
   std::string law_name;
   bool as_json = false;
   CLI::App* laws_command = app.add_subcommand("laws", "bond laws: parameters, formulas, sources");
@@ -101,7 +120,7 @@ ExitCode run_command_line(int argc, char** argv) {
   CLI::App* solvers_command = app.add_subcommand("solvers", "linear solvers of this build, best first");
   solvers_command->add_flag("--json", as_json, "print as JSON");
 
-  if (argc < 2) misused("a command is missing: solve, sweep, laws or solvers", app);
+  if (argc < 2) misused("a command is missing: solve, relax, check, sweep, laws or solvers", app);
   const std::string first = argv[1];
   const std::vector<std::string> commands = command_names(app);
   if (!first.starts_with('-') && std::find(commands.begin(), commands.end(), first) == commands.end())
@@ -117,9 +136,11 @@ ExitCode run_command_line(int argc, char** argv) {
   }
   if (*solve_command) return solve(solve_arguments);
   if (*sweep_command) return sweep(sweep_arguments);
+  if (*relax_command) return relax(relax_arguments);
+  if (*check_command) return check(check_arguments);
   if (*laws_command) return laws(law_name, as_json);
   if (*solvers_command) return solvers(as_json);
-  misused("a command is missing: solve, sweep, laws or solvers", app);
+  misused("a command is missing: solve, relax, check, sweep, laws or solvers", app);
 }
 
 }  // namespace bondstatic

@@ -25,6 +25,15 @@ struct SweepArguments {
 };
 ExitCode sweep(const SweepArguments& arguments);
 
+struct RelaxArguments {
+  SolveArguments solve;
+  bool resume = false;
+  double checkpoint_every = 60;  ///< seconds
+};
+ExitCode relax(const RelaxArguments& arguments);
+
+ExitCode check(const SolveArguments& arguments);
+
 /// All laws where `name` is empty.
 ExitCode laws(const std::string& name, bool json);
 

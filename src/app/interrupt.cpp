@@ -10,11 +10,11 @@ namespace bondstatic {
 namespace {
 
 volatile sig_atomic_t deferred = 0;
-volatile sig_atomic_t waiting = 0;
+volatile sig_atomic_t waiting_signal = 0;
 
 void on_signal(int signal) {
   if (!deferred) _exit(128 + signal);
-  waiting = signal;
+  waiting_signal = signal;
 }
 
 }  // namespace
@@ -37,12 +37,16 @@ DeferredInterrupts::DeferredInterrupts() {
 
 DeferredInterrupts::~DeferredInterrupts() {
   deferred = deferred - 1;
-  if (!deferred && waiting) _exit(128 + waiting);
+  if (!deferred && waiting_signal) _exit(128 + waiting_signal);
+}
+
+bool DeferredInterrupts::waiting() {
+  return waiting_signal != 0;
 }
 
 void DeferredInterrupts::check() {
-  if (waiting == SIGINT) throw Error(ExitCode::interrupted, "interrupted");
-  if (waiting == SIGTERM) throw Error(ExitCode::terminated, "terminated");
+  if (waiting_signal == SIGINT) throw Error(ExitCode::interrupted, "interrupted");
+  if (waiting_signal == SIGTERM) throw Error(ExitCode::terminated, "terminated");
 }
 
 }  // namespace bondstatic

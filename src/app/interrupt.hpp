@@ -19,6 +19,7 @@ class DeferredInterrupts {
 
   /// Throws Error (interrupted, terminated) where a signal is waiting.
   static void check();
+  static bool waiting();
 };
 
 }  // namespace bondstatic

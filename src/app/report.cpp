@@ -12,10 +12,6 @@ namespace bondstatic {
 
 namespace {
 
-std::string counted(Index count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string counts(const Case& given) {
   const Model& model = given.model;
   std::map<std::string, Index> laws;
@@ -29,6 +25,12 @@ std::string counts(const Case& given) {
                      counted(Index(model.bonds.size()), "bond"), by_law.empty() ? "" : " (" + by_law + ")",
                      supported.size(), counted(Index(model.load_cases.size()), "load case"),
                      given.si ? ", SI units" : "");
+}
+
+}  // namespace
+
+std::string counted(Index count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string outputs_table(const std::vector<OutputValue>& outputs) {
@@ -55,31 +57,43 @@ std::string outputs_table(const std::vector<OutputValue>& outputs) {
 }
 
 /// Where nothing was asked for, the largest displacement of each load case answers.
-std::string displacement_table(const Case& given, const StaticSolution& solution) {
+std::string displacement_table(const Case& given, const std::vector<const State*>& states) {
   Table table{{{"load case", "largest displacement", "particle", "ux", "uy", "uz", "energy"}},
               {false, true, true, true, true, true, true}};
-  for (const LoadCaseResult& result : solution.cases) {
-    const LargestDisplacement largest = largest_displacement(result);
+  for (const State* state : states) {
+    const LargestDisplacement largest = largest_displacement(*state);
     if (largest.particle < 0) continue;
     const Vector3& u = largest.displacement;
-    table.rows.push_back({result.name.empty() ? "-" : result.name, fmt::format("{:.7g}", u.stableNorm()),
+    table.rows.push_back({state->name.empty() ? "-" : state->name, fmt::format("{:.7g}", u.stableNorm()),
                           std::to_string(given.model.particles[std::size_t(largest.particle)].id),
                           fmt::format("{:.7g}", u.x()), fmt::format("{:.7g}", u.y()),
-                          fmt::format("{:.7g}", u.z()), fmt::format("{:.7g}", result.energy)});
+                          fmt::format("{:.7g}", u.z()), fmt::format("{:.7g}", state->energy)});
   }
   return to_text(table, 2);
 }
 
-std::string dropped(const Case& given, const StaticReport& report) {
+std::string dropped_text(const Case& given, const std::vector<std::vector<Index>>& dropped) {
   constexpr std::size_t most = 12;
   std::string ids;
   std::size_t particles = 0;
-  for (const std::vector<Index>& body : report.dropped)
+  for (const std::vector<Index>& body : dropped)
     for (const Index p : body)
       if (particles++ < most) ids += fmt::format(" {}", given.model.particles[std::size_t(p)].id);
-  return fmt::format("{} unsupported, {}:{}{}", counted(Index(report.dropped.size()), "body"),
+  return fmt::format("{} unsupported, {}:{}{}", counted(Index(dropped.size()), "body"),
                      counted(Index(particles), "particle"), ids, particles > most ? " ..." : "");
 }
+
+std::string heading(const Case& given) {
+  return (given.title.empty() ? "" : bold(given.title, stdout) + "\n") + counts(given) + "\n";
+}
+
+std::string warnings_text(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += fmt::format("  warning: {}\n", warning);
+  return text;
+}
+
+namespace {
 
 std::string threads(const StaticReport& report) {
   if (report.threads == report.threads_asked) return counted(report.threads, "thread");
@@ -108,24 +122,17 @@ Table facts(const Case& given, const StaticSolution& solution) {
   table.rows.push_back(
       {"memory", fmt::format("{} for the solve predicted, {} at the peak of the process",
                              bytes_text(report.analysis.predicted_bytes), bytes_text(report.peak_bytes))});
-  if (!report.dropped.empty()) table.rows.push_back({"left out", dropped(given, report)});
+  if (!report.dropped.empty()) table.rows.push_back({"left out", dropped_text(given, report.dropped)});
   return table;
-}
-
-std::string warnings(const Case& given, const StaticReport& report) {
-  std::string text;
-  for (const auto* list : {&given.warnings, &report.warnings})
-    for (const std::string& warning : *list) text += fmt::format("  warning: {}\n", warning);
-  return text;
 }
 
 }  // namespace
 
 std::string report(const Case& given, const Answer& answer, const std::string& folder) {
-  std::string text;
-  if (!given.title.empty()) text += bold(given.title, stdout) + "\n";
-  text += counts(given) + "\n\n";
-  text += given.outputs.empty() ? displacement_table(given, answer.solution) : outputs_table(answer.outputs);
+  std::vector<const State*> states;
+  for (const State& state : answer.solution.cases) states.push_back(&state);
+  std::string text = heading(given) + "\n";
+  text += given.outputs.empty() ? displacement_table(given, states) : outputs_table(answer.outputs);
   Table lines = facts(given, answer.solution);
   if (!folder.empty()) {
     std::string names;
@@ -133,7 +140,7 @@ std::string report(const Case& given, const Answer& answer, const std::string& f
     lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names), 12)});
   }
   text += "\n" + to_text(lines, 2);
-  return text + warnings(given, answer.solution.report);
+  return text + warnings_text(given.warnings) + warnings_text(answer.solution.report.warnings);
 }
 
 }  // namespace bondstatic

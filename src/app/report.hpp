@@ -7,6 +7,14 @@
 
 namespace bondstatic {
 
+/// Title and what the model consists of.
+std::string heading(const Case& given);
+std::string outputs_table(const std::vector<OutputValue>& outputs);
+std::string displacement_table(const Case& given, const std::vector<const State*>& states);
+std::string warnings_text(const std::vector<std::string>& warnings);
+std::string dropped_text(const Case& given, const std::vector<std::vector<Index>>& dropped);
+std::string counted(Index count, const std::string& what);
+
 /// `folder` is where the results went; "" if nowhere.
 std::string report(const Case& given, const Answer& answer, const std::string& folder);
 

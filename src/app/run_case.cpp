@@ -4,8 +4,8 @@
 
 namespace bondstatic {
 
-Case read_case(const SolveArguments& arguments, const std::vector<std::string>& overrides) {
-  Case given = read_case(arguments.file, overrides, arguments.folder);
+Case read_case(const SolveArguments& arguments, const std::vector<std::string>& overrides, Purpose purpose) {
+  Case given = read_case(arguments.file, overrides, arguments.folder, purpose);
   if (!arguments.solver.empty()) given.solve.solver = arguments.solver;
   if (arguments.threads > 0) given.solve.threads = arguments.threads;
   return given;

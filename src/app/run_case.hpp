@@ -14,7 +14,8 @@
 namespace bondstatic {
 
 /// Reads the case and applies the choices of the command line.
-Case read_case(const SolveArguments& arguments, const std::vector<std::string>& overrides);
+Case read_case(const SolveArguments& arguments, const std::vector<std::string>& overrides,
+               Purpose purpose = Purpose::statics);
 
 struct Answer {
   StaticSolution solution;

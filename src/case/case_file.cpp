@@ -6,6 +6,7 @@
 #include <array>
 
 #include "case/bonds.hpp"
+#include "case/dynamic_options.hpp"
 #include "case/load_cases.hpp"
 #include "case/loads.hpp"
 #include "case/outputs.hpp"
@@ -42,23 +43,35 @@ Node read_tree(const std::string& file, const std::vector<std::string>& override
   return std::move(*root);
 }
 
-/// Tables of parts of the program that `solve` does not run.
+/// Absent tables are made where the run rests on them, so that the resolved case shows their defaults.
+RelaxOptions read_relax_options(Reading& reading, Node& root, TableReader& top) {
+  for (const char* name : {"dynamics", "check"})
+    if (reading.purpose == Purpose::dynamics && !top.has(name)) root.set(name, Node{});
+  RelaxOptions options;
+  if (Node* dynamics = top.find("dynamics")) options = read_dynamic_options(reading, *dynamics);
+  if (Node* check = top.find("check")) options.check_tolerance = read_check_tolerance(reading, *check);
+  return options;
+}
+
+/// Tables of parts of the program that neither `solve` nor a run through time uses.
 void warn_of_reserved(Draft& draft, TableReader& top) {
-  for (const char* name : {"dynamics", "fracture", "calibration", "cell"})
+  const char* user = draft.reading.purpose == Purpose::dynamics ? "a run through time" : "solve";
+  for (const char* name : {"fracture", "calibration", "cell"})
     if (const Node* node = top.find(name))
       draft.reading.warnings.push_back(
-          fmt::format("{}:{}: [{}] is not used by solve", node->place.file, node->place.line, name));
+          fmt::format("{}:{}: [{}] is not used by {}", node->place.file, node->place.line, name, user));
 }
 
 }  // namespace
 
 Case read_case(const std::string& file, const std::vector<std::string>& overrides,
-               const std::string& resolved_folder) {
+               const std::string& resolved_folder, Purpose purpose) {
   Node root = read_tree(file, overrides);
   Draft draft;
   draft.reading.file = file;
   draft.reading.folder = std::filesystem::path(file).parent_path();
   draft.reading.resolved_folder = resolved_folder;
+  draft.reading.purpose = purpose;
 
   TableReader top(draft.reading, root, "the case");
   Case out;
@@ -66,6 +79,7 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   out.title = top.text("title").value_or("");
   if (!top.has("solve")) root.set("solve", Node{});
   out.solve = read_solve_options(draft.reading, *top.find("solve"));
+  out.relax = read_relax_options(draft.reading, root, top);
   read_particles(draft, top.find("particles"));
   read_groups(draft, top.find("groups"));
   read_bonds(draft, top.find("bonds"));

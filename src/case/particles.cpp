@@ -86,6 +86,18 @@ void disturb(TableReader& block, ParticleRows* rows) {
   }
 }
 
+/// A density that is missing keeps nobody from reading the rest of the case. Whether a file that is at fault
+/// has one cannot be told.
+void require_density(TableReader& block, const ParticleRows* rows) {
+  if (block.reading().purpose != Purpose::dynamics || block.has("density")) return;
+  const bool from_file = block.has("file");
+  if (from_file && (!rows || rows->has_density)) return;
+  block.reading().fault(
+      block.place(), "particles without density: a run through time needs the mass of every particle",
+      from_file ? "add density = 2650, say (kg/m3 in SI), to the block, or a column density to its file"
+                : "add density = 2650, say (kg/m3 in SI), to the block");
+}
+
 /// Adds the rows to the model; false where ids clash.
 bool add_rows(Draft& draft, const TableReader& block, const ParticleRows& rows,
               const std::vector<std::string>& groups, Index& largest_id) {
@@ -130,6 +142,7 @@ void read_particles(Draft& draft, Node* list) {
     disturb(block, rows ? &*rows : nullptr);
     if (!rows || reading.faults.size() != before || !add_rows(draft, block, *rows, groups, largest_id))
       draft.particles_known = false;
+    require_density(block, rows ? &*rows : nullptr);
   });
   if (draft.model.particles.empty()) draft.particles_known = false;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bondstatic/case_file.hpp"
 #include "bondstatic/types.hpp"
 #include "bondstatic/units.hpp"
 #include "case/node.hpp"
@@ -16,6 +17,7 @@ struct Reading {
   std::string file;                       ///< as given
   std::filesystem::path folder;           ///< of the case file: paths in it are relative to this
   std::filesystem::path resolved_folder;  ///< where the resolved case will lie; empty: leave paths alone
+  Purpose purpose = Purpose::statics;
   std::vector<Fault> faults;
   std::vector<std::string> warnings;
   bool si = false;  ///< a number carried a unit

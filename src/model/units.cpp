@@ -30,6 +30,8 @@ constexpr std::array named_units{
     NamedUnit{"m", {{0, 1, 0}}, true},
     NamedUnit{"g", {{1, 0, 0}, 1, -3}, true},
     NamedUnit{"s", {{0, 0, 1}}, true},
+    NamedUnit{"min", {{0, 0, 1}, 6, 1}, false},
+    NamedUnit{"h", {{0, 0, 1}, 36, 2}, false},
     NamedUnit{"t", {{1, 0, 0}, 1, 3}, false},
     NamedUnit{"N", {{1, 1, -2}}, true},
     NamedUnit{"Nm", {{1, 2, -2}}, true},
@@ -132,6 +134,8 @@ struct DimensionName {
 constexpr std::array dimension_names{
     DimensionName{dimension::none, "pure number", "", "rad, deg, %"},
     DimensionName{dimension::length, "length", "m", "nm, um, mm, cm, m, km, in, ft"},
+    DimensionName{dimension::time, "time", "s", "ns, us, ms, s, min, h"},
+    DimensionName{dimension::velocity, "velocity", "m/s", "nm/s, um/s, mm/s, cm/s, m/s, km/h"},
     DimensionName{dimension::density, "density", "kg/m3", "kg/m3, g/cm3, t/m3"},
     DimensionName{dimension::acceleration, "acceleration", "m/s2", "m/s2, mm/s2"},
     DimensionName{dimension::force, "force", "N", "mN, N, kN, MN, lbf"},

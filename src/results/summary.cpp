@@ -1,34 +1,11 @@
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "bondstatic/results.hpp"
-#include "bondstatic/version.hpp"
-#include "results/load_case_folder.hpp"
+#include "results/summary_parts.hpp"
 
 namespace bondstatic {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json counts_of(const Model& model, const StaticReport& report) {
-  std::set<Index> supported;
-  for (const Support& support : model.supports) supported.insert(support.particle);
-  Json laws = Json::object();
-  for (const BondBlock& block : model.blocks) laws[block.law] = 0;
-  for (const Bond& bond : model.bonds) {
-    Json& count = laws[model.blocks[std::size_t(bond.block)].law];
-    count = count.get<Index>() + 1;
-  }
-  return {{"particles", model.particles.size()},
-          {"bonds", model.bonds.size()},
-          {"bonds_by_law", laws},
-          {"supported_particles", supported.size()},
-          {"load_cases", model.load_cases.size()},
-          {"unknowns", report.analysis.unknowns}};
-}
 
 Json solver_of(const StaticReport& report) {
   return {{"name", report.solver},
@@ -52,35 +29,11 @@ Json accuracy_of(const Accuracy& accuracy) {
 Json load_cases_of(const Model& model, const StaticSolution& solution) {
   Json cases = Json::array();
   for (const LoadCaseResult& result : solution.cases) {
-    Json one{{"name", result.name},
-             {"folder", load_case_folder(model, result.name)},
-             {"energy", result.energy},
-             {"work", result.work}};
-    if (const LargestDisplacement largest = largest_displacement(result); largest.particle >= 0) {
-      const Vector3& u = largest.displacement;
-      one["largest_displacement"] = {{"particle", model.particles[std::size_t(largest.particle)].id},
-                                     {"magnitude", u.stableNorm()},
-                                     {"components", {u.x(), u.y(), u.z()}}};
-    }
+    Json one = state_of(model, result);
     one["accuracy"] = accuracy_of(result.accuracy);
     cases.push_back(std::move(one));
   }
   return cases;
-}
-
-Json outputs_of(const std::vector<OutputValue>& outputs) {
-  Json all = Json::array();
-  for (const OutputValue& output : outputs) {
-    Json one{{"name", output.name}, {"value", output.value}};
-    if (output.expected) {
-      one["expected"] = *output.expected;
-      one["relative_error"] = output.relative_error();
-      one["tolerance"] = output.tolerance;
-    }
-    if (!output.source.empty()) one["source"] = output.source;
-    all.push_back(std::move(one));
-  }
-  return all;
 }
 
 Json phases_of(const StaticReport& report) {
@@ -88,17 +41,6 @@ Json phases_of(const StaticReport& report) {
   for (const Phase& phase : report.phases)
     phases.push_back({{"name", phase.name}, {"seconds", phase.seconds}});
   return phases;
-}
-
-/// By particle ids: positions mean nothing outside.
-Json dropped_of(const Model& model, const StaticReport& report) {
-  Json bodies = Json::array();
-  for (const std::vector<Index>& body : report.dropped) {
-    Json ids = Json::array();
-    for (const Index p : body) ids.push_back(model.particles[std::size_t(p)].id);
-    bodies.push_back(std::move(ids));
-  }
-  return bodies;
 }
 
 }  // namespace
@@ -118,40 +60,28 @@ Accuracy worst_accuracy(const StaticSolution& solution) {
   return worst;
 }
 
-LargestDisplacement largest_displacement(const State& state) {
-  LargestDisplacement largest;
-  double most = -1;
-  for (std::size_t i = 0; i < state.displacement.size(); ++i) {
-    const double magnitude = state.displacement[i].head<3>().stableNorm();
-    if (!(magnitude > most)) continue;  // nor where it is NaN
-    most = magnitude;
-    largest = {Index(i), state.displacement[i].head<3>()};
-  }
-  return largest;
-}
-
 std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
                          const std::vector<OutputValue>& outputs, const std::vector<std::string>& files) {
   const StaticReport& report = solution.report;
   std::vector<std::string> warnings = run.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  const Json summary{
+  Json counts = counts_of(model);
+  counts["unknowns"] = report.analysis.unknowns;
+  return to_text(Json{
       {"title", run.title},
       {"bondstatic", version()},
       {"case", run.file},
       {"units", run.si ? "SI" : "as given"},
-      {"counts", counts_of(model, report)},
+      {"counts", counts},
       {"solver", solver_of(report)},
       {"accuracy", accuracy_of(worst_accuracy(solution))},
       {"load_cases", load_cases_of(model, solution)},
       {"outputs", outputs_of(outputs)},
       {"phases", phases_of(report)},
       {"memory", {{"predicted_bytes", report.analysis.predicted_bytes}, {"peak_bytes", report.peak_bytes}}},
-      {"dropped", dropped_of(model, report)},
+      {"dropped", bodies_of(model, report.dropped)},
       {"warnings", warnings},
-      {"files", files}};
-  // Titles may hold bytes that are no UTF-8; they become U+FFFD, and the rest is still told.
-  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+      {"files", files}});
 }
 
 }  // namespace bondstatic

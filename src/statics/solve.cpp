@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "bondstatic/error.hpp"
-#include "bondstatic/mechanism.hpp"
 #include "bondstatic/statics.hpp"
 #include "solver/machine.hpp"
+#include "statics/held.hpp"
 #include "statics/recover.hpp"
 #include "statics/stopwatch.hpp"
 
@@ -17,8 +17,7 @@ namespace {
 // Load cases that hold the same degrees of freedom share one factorisation.
 struct Group {
   std::vector<std::size_t> cases;
-  FreeDofs dofs;
-  std::vector<bool> left_out;
+  Held held;
 };
 
 std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
@@ -29,27 +28,7 @@ std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
     if (group == groups.end()) group = groups.insert(groups.end(), Group{});
     group->cases.push_back(c);
   }
-  for (Group& group : groups) {
-    group.dofs = number_free_dofs(boundaries[group.cases.front()].free);
-    group.left_out.assign(boundaries[group.cases.front()].free.size(), false);
-  }
   return groups;
-}
-
-// A body that nothing holds is left out as a whole: its particles get no unknowns.
-void drop_unsupported(const Model& model, const BondNetwork& network, Group& group, StaticReport& report) {
-  const auto bodies = unsupported_bodies(network, group.dofs);
-  std::vector<std::uint8_t> free = group.dofs.free;
-  for (const auto& body : bodies) {
-    for (const Index p : body) {
-      group.left_out[std::size_t(p)] = true;
-      free[std::size_t(p)] = 0;
-    }
-  }
-  report.dropped.insert(report.dropped.end(), bodies.begin(), bodies.end());
-  if (std::find(group.left_out.begin(), group.left_out.end(), false) == group.left_out.end())
-    throw MechanismError(model, find_mechanisms(model, network, group.dofs, {}));
-  group.dofs = number_free_dofs(std::move(free));
 }
 
 // A load that is left out with its particle is said, not lost.
@@ -58,8 +37,8 @@ void warn_of_lost_loads(const Model& model, const Group& group, const std::vecto
   for (const std::size_t c : group.cases) {
     Vector3 lost = Vector3::Zero();
     Index particles = 0;
-    for (std::size_t p = 0; p < group.left_out.size(); ++p) {
-      if (!group.left_out[p] || boundaries[c].load[p].isZero(0)) continue;
+    for (std::size_t p = 0; p < group.held.left_out.size(); ++p) {
+      if (!group.held.left_out[p] || boundaries[c].load[p].isZero(0)) continue;
       lost += boundaries[c].load[p].head<3>();
       ++particles;
     }
@@ -128,39 +107,37 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   const auto solver = make_solver(options.solver, report.threads);
   for (Group& group : groups) {
     // 3. Motions that cost no energy never reach the solver.
-    timed("mechanisms", [&] {
-      if (options.unsupported == Unsupported::drop) drop_unsupported(model, network, group, report);
-      auto mechanisms = find_mechanisms(model, network, group.dofs, group.left_out);
-      if (!mechanisms.empty()) throw MechanismError(model, std::move(mechanisms));
-    });
+    const auto& free = boundaries[group.cases.front()].free;
+    group.held = timed("mechanisms", [&] { return held_by(model, network, free, options.unsupported); });
+    const FreeDofs& dofs = group.held.dofs;
+    report.dropped.insert(report.dropped.end(), group.held.dropped.begin(), group.held.dropped.end());
     warn_of_lost_loads(model, group, boundaries, report);
 
     // 4. Order, predict, assemble, factorise.
-    if (group.dofs.unknowns() > 0) {
-      const AnalysisReport analysis = timed("analysis", [&] { return solver->analyse(network, group.dofs); });
+    if (dofs.unknowns() > 0) {
+      const AnalysisReport analysis = timed("analysis", [&] { return solver->analyse(network, dofs); });
       if (analysis.factor_entries >= report.analysis.factor_entries) report.analysis = analysis;
       refuse_what_does_not_fit(analysis, options);
     }
     FactorReport factor;
-    if (group.dofs.unknowns() > 0) {
-      factor = timed("factorisation", [&] { return solver->factorise(network, group.dofs); });
+    if (dofs.unknowns() > 0) {
+      factor = timed("factorisation", [&] { return solver->factorise(network, dofs); });
       ++report.factorisations;
-      check_pivots(model, group.dofs, factor);
+      check_pivots(model, dofs, factor);
     }
 
     // 5. Solve and refine until the last digit stands.
     std::vector<const Boundary*> loads;
     for (const std::size_t c : group.cases) loads.push_back(&boundaries[c]);
     const auto refined = timed("refinement", [&] {
-      return solve_refined(network, incidence, group.dofs, loads, *solver, factor.pivot_ratio,
-                           report.threads);
+      return solve_refined(network, incidence, dofs, loads, *solver, factor.pivot_ratio, report.threads);
     });
 
     // 6. Reactions, resultants, energy, balances.
     timed("recovery", [&] {
       for (std::size_t i = 0; i < group.cases.size(); ++i) {
         LoadCaseResult& result = solution.cases[group.cases[i]];
-        result = recover(model, network, incidence, properties, *loads[i], group.left_out, refined[i],
+        result = recover(model, network, incidence, properties, *loads[i], group.held.left_out, refined[i],
                          report.threads);
         result.name = model.load_cases[group.cases[i]];
         if (!(result.accuracy.backward_error <= options.tolerance))

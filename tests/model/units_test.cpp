@@ -27,6 +27,19 @@ TEST(Units, AreTheNearestDoubles) {
       {"  +0.7  um ", d::length, 7e-7},
       {"0.7 µm", d::length, 7e-7},
       {"0.3 nm", d::length, 3e-10},
+      {"0.3 s", d::time, 0.3},
+      {"0.3 ms", d::time, 0.0003},
+      {"0.7 us", d::time, 7e-7},
+      {"0.7 µs", d::time, 7e-7},
+      {"0.3 ns", d::time, 3e-10},
+      {"1.5 min", d::time, 90},
+      {"0.5 h", d::time, 1800},
+      {"0.7 m/s", d::velocity, 0.7},
+      {"0.7 m s-1", d::velocity, 0.7},
+      {"0.7 mm/s", d::velocity, 0.0007},
+      {"0.3 nm/s", d::velocity, 3e-10},
+      {"36 km/h", d::velocity, 10},
+      {"30 m/min", d::velocity, 0.5},
       {"7850 kg/m3", d::density, 7850},
       {"7.85 g/cm3", d::density, 7850},
       {"7.85 g/cm^3", d::density, 7850},
@@ -71,6 +84,9 @@ TEST(Units, OfAnotherDimensionAreRefusedWithTheKnownOnes) {
   for (const auto& [text, part] : std::vector<std::pair<std::string, std::string>>{
            {"2 kg", "\"kg\" is not of this dimension; a stress is wanted, in Pa, kPa, MPa"},
            {"2 m", "\"m\" is not of this dimension but a length"},
+           {"2 min", "\"min\" is not of this dimension but a time"},
+           {"2 m/s", "\"m/s\" is not of this dimension but a velocity"},
+           {"2 mmin", "unknown unit \"mmin\""},
            {"2", "the number has no unit"},
            {"2 gpa", "unknown unit \"gpa\""},
            {"2 Pa/", "unknown unit"},
@@ -94,8 +110,8 @@ TEST(Units, OfAnotherDimensionAreRefusedWithTheKnownOnes) {
 
 TEST(Units, SiUnitsReadAsOne) {
   for (const Dimension& dimension :
-       {d::length, d::density, d::acceleration, d::force, d::moment, d::stress, d::stress_per_length,
-        d::stiffness, d::rotational_stiffness, Dimension{1, 2, -3}})
+       {d::length, d::time, d::velocity, d::density, d::acceleration, d::force, d::moment, d::stress,
+        d::stress_per_length, d::stiffness, d::rotational_stiffness, Dimension{1, 2, -3}})
     EXPECT_EQ(parse_quantity("1 " + si_unit(dimension), dimension), 1) << si_unit(dimension);
   EXPECT_EQ(si_unit(d::none), "");
   EXPECT_EQ(si_unit(d::stress), "Pa");

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/relax_report.hpp"
+#include "app/run_case.hpp"
+#include "app/terminal.hpp"
+#include "io/replace_file.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The checkpoint to go on from; "" where the run starts anew.
+std::string checkpoint_to_resume(const RelaxArguments& arguments, const fs::path& file) {
+  if (arguments.solve.folder.empty()) {
+    if (arguments.resume)
+      throw Error(ExitCode::invalid_input,
+                  "--resume without --out: checkpoints lie beside the results\n    cure: add --out DIR");
+    return "";
+  }
+  const auto content = read_whole_file(file);
+  if (content && !arguments.resume)
+    throw Error(
+        ExitCode::invalid_input,
+        fmt::format(
+            "{}: an unfinished run lies here\n    cure: add --resume to go on with it, or remove the file "
+            "to start anew",
+            file.string()));
+  if (!content && arguments.resume)
+    fmt::print(stderr, "{}: not there, starting from the beginning\n", file.string());
+  return content.value_or("");
+}
+
+/// At most ten lines a second.
+class Throttle {
+ public:
+  bool due() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_{};
+};
+
+Probes outputs_as_probes(const Case& given, const State& state) {
+  Probes probes;
+  for (const Output& output : given.outputs)
+    if (output.load_case == state.name)
+      probes.emplace_back(output.name, evaluate_output(given.model, state, output));
+  return probes;
+}
+
+[[noreturn]] void end_interrupted(const RelaxArguments& arguments, const fs::path& file) {
+  if (!arguments.solve.folder.empty() && fs::exists(file))
+    fmt::print(stderr, "bondstatic: stopped; {} keeps the run, go on with --resume\n", file.string());
+  DeferredInterrupts::check();
+  throw Error(ExitCode::internal, "the run stopped without a signal");
+}
+
+}  // namespace
+
+ExitCode relax(const RelaxArguments& arguments) {
+  const SolveArguments& options = arguments.solve;
+  const Case given = read_case(options, options.overrides, Purpose::dynamics);
+  const fs::path file = fs::path(options.folder) / checkpoint_file;
+  if (!options.folder.empty()) check_relaxation_folder(given.model, options.folder);
+
+  StatusLine status;
+  Throttle throttle;
+  RelaxHooks hooks;
+  hooks.resume = checkpoint_to_resume(arguments, file);
+  hooks.resume_name = file.string();
+  hooks.keep_every = arguments.checkpoint_every;
+  if (!given.outputs.empty())
+    hooks.probe = [&](const State& state) { return outputs_as_probes(given, state); };
+  if (!options.folder.empty())
+    hooks.keep = [&](const std::string& content) {
+      fs::create_directories(options.folder);
+      replace_file(file, content);
+    };
+  // While bodies move a signal waits for the next look, so that the run can be kept; a plan is soon made
+  // again.
+  std::unique_ptr<DeferredInterrupts> guard;
+  hooks.phase = [&](bool planning) {
+    if (planning) status.show("plan");
+    guard = planning ? nullptr : std::make_unique<DeferredInterrupts>();
+  };
+  hooks.progress = [&](const RelaxProgress& progress) {
+    if (throttle.due()) status.show(progress_text(progress));
+    return !DeferredInterrupts::waiting();
+  };
+  const Relaxation relaxation = relax(given.model, given.relax, given.solve, hooks);
+  status.clear();
+  if (DeferredInterrupts::waiting()) end_interrupted(arguments, file);
+
+  std::vector<const State*> states;
+  for (const RelaxedCase& relaxed : relaxation.cases) states.push_back(&relaxed.state);
+  const auto outputs = evaluate_outputs(given.model, states, given.outputs);
+  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
+  std::vector<std::string> files;
+  std::string written;
+  if (!options.folder.empty()) {
+    write_relaxation(given.model, run, relaxation, outputs, options.folder, DeferredInterrupts::check);
+    files = relaxation_files(given.model);
+    for (const std::string& name : files) written += (written.empty() ? "" : ", ") + name;
+    written = wrapped(options.folder + ": " + written, 12);
+  }
+  guard.reset();
+  fmt::print("{}", options.json ? relaxation_json(given.model, run, relaxation, outputs, files)
+                                : relaxation_report(given, relaxation, outputs, written));
+  if (relaxation.at_rest()) return ExitCode::done;
+  std::string reasons;
+  for (const RelaxedCase& relaxed : relaxation.cases)
+    if (relaxed.end != RunEnd::at_rest)
+      reasons += (reasons.empty() ? "" : "\n") + unrest_text(given, relaxed);
+  throw AccuracyError(reasons + (options.folder.empty() ? "" : ", and go on with --resume"));
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,91 @@
+#include "bondstatic/check.hpp"
+
+#include <algorithm>
+
+#include "bondstatic/bond_law.hpp"
+#include "bondstatic/network.hpp"
+#include "check/differences.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+bool within(const std::vector<FieldDifference>& fields, double tolerance) {
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const FieldDifference& field) { return field.first_order <= tolerance; });
+}
+
+}  // namespace
+
+bool Certificate::agrees() const {
+  return !cases.empty() &&
+         std::all_of(cases.begin(), cases.end(), [](const CaseCertificate& one) { return one.agrees; });
+}
+
+Certificate check(const Model& model, const StaticOptions& solve, const RelaxOptions& options,
+                  const CheckProgress& progress) {
+  Certificate certificate;
+  certificate.kinematics = options.kinematics;
+  certificate.tolerance = options.check_tolerance;
+
+  // 1. The static answer.
+  if (progress && !progress("static", nullptr)) return certificate;
+  StaticSolution statics = solve_statics(model, solve);
+  for (const Phase& phase : statics.report.phases) certificate.static_seconds += phase.seconds;
+
+  // 2. The run under the full load, and under parts of it where orders are to be told apart.
+  struct Run {
+    double load_factor;
+    std::string name;
+    Relaxation relaxation;
+  };
+  std::vector<Run> runs;
+  bool stopped = false;
+  const auto run_at = [&](double load_factor, const std::string& name) {
+    RelaxOptions at = options;
+    at.load_factor = options.load_factor * load_factor;
+    RelaxHooks hooks;
+    if (progress) hooks.progress = [&](const RelaxProgress& how_far) { return progress(name, &how_far); };
+    runs.push_back({load_factor, name, relax(model, at, solve, hooks)});
+    stopped = runs.back().relaxation.cases.size() < model.load_cases.size() ||
+              runs.back().relaxation.cases.back().end == RunEnd::interrupted;
+    return !stopped;
+  };
+
+  const double length = bond_network(model, bond_properties(model)).rotation_length;
+  const auto compare = [&] {
+    certificate.cases.clear();
+    for (std::size_t c = 0; c < statics.cases.size() && c < runs.front().relaxation.cases.size(); ++c) {
+      std::vector<ScaledState> states;
+      bool at_rest = true;
+      for (const Run& run : runs) {
+        states.push_back({&run.relaxation.cases[c].state, run.load_factor});
+        at_rest = at_rest && run.relaxation.cases[c].end == RunEnd::at_rest;
+      }
+      CaseCertificate one;
+      one.name = statics.cases[c].name;
+      one.fields = differences(statics.cases[c], states, length);
+      one.run = runs.front().relaxation.cases[c];
+      one.statics = statics.cases[c].accuracy;
+      one.agrees = at_rest && within(one.fields, certificate.tolerance);
+      certificate.cases.push_back(std::move(one));
+    }
+  };
+
+  // 3. Small kinematics agree or do not; finite ones agree at first order, once higher ones are taken off.
+  bool go_on = run_at(1, "run");
+  if (options.kinematics == Kinematics::finite && go_on) go_on = run_at(0.5, "run at 1/2 of the load");
+  if (go_on) compare();
+  if (options.kinematics == Kinematics::finite && go_on && !certificate.agrees()) {
+    go_on = run_at(0.25, "run at 1/4 of the load");
+    if (go_on) compare();
+  }
+  for (const RelaxedCase& one : runs.front().relaxation.cases) certificate.dynamic_seconds += one.seconds;
+  certificate.warnings = runs.front().relaxation.warnings;
+  certificate.statics = std::move(statics.report);
+  if (stopped)
+    for (CaseCertificate& one : certificate.cases) one.agrees = false;
+  return certificate;
+}
+
+}  // namespace bondstatic
