@@ -85,6 +85,9 @@ struct Unrest {
 std::vector<SectionStiffness> dashpots(const Model& model, std::span<const BondProperties> properties,
                                        std::span<const std::uint8_t> free, const BondDamping& damping);
 
+/// Bytes that a run of this model holds.
+double run_memory(const Model& model, const DynamicOptions& options);
+
 /// One load case of a model on its way through time. Starts at rest without loads.
 class ExplicitRun {
  public:

@@ -59,6 +59,24 @@ std::uint64_t fingerprint_of(const Model& model, std::span<const BondProperties>
   return f.checksum();
 }
 
+void refuse_what_does_not_fit(double bytes, const StaticOptions& solve) {
+  const double limit = solve.memory_limit > 0 ? solve.memory_limit : available_memory();
+  if (bytes <= limit) return;
+  throw MemoryError(
+      fmt::format("the run needs {:.3g} GB of memory, {:.3g} GB are at hand\n    cure: use a machine with "
+                  "more memory, or fewer "
+                  "load cases at a time",
+                  bytes / 1e9, limit / 1e9));
+}
+
+void warn_of_step(const DynamicPlan& plan, std::vector<std::string>& warnings) {
+  if (plan.time_step <= plan.critical_time_step) return;
+  const std::string text =
+      fmt::format("the time step {:.6g} is {:.4g} times the critical one: the run may blow up",
+                  plan.time_step, plan.time_step / plan.critical_time_step);
+  if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+}
+
 /// The runs so far, with their plans.
 struct Progress {
   std::vector<DynamicPlan> plans;
@@ -88,12 +106,17 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
   // 1. What each bond is, and what holds the model in each load case.
   const auto properties = bond_properties(model);
   const BondNetwork network = bond_network(model, properties);
+  refuse_what_does_not_fit(
+      run_memory(model, {options.kinematics, 0, options.bond_damping}) * double(model.load_cases.size()),
+      solve);
   std::vector<Boundary> boundaries;
   std::vector<Held> held;
   for (std::size_t c = 0; c < model.load_cases.size(); ++c) {
     boundaries.push_back(boundary_of(model, Index(c)));
     const bool as_before = c > 0 && boundaries[c].free == boundaries[c - 1].free;
     held.push_back(as_before ? held.back() : held_by(model, network, boundaries[c].free, solve.unsupported));
+    const std::string lost = lost_loads(model, held[c], boundaries[c], model.load_cases[c]);
+    if (!lost.empty()) relaxation.warnings.push_back(lost);
     if (!as_before)
       relaxation.dropped.insert(relaxation.dropped.end(), held[c].dropped.begin(), held[c].dropped.end());
   }
@@ -139,6 +162,7 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
       progress.plans.push_back(plan_run(input, options, solve, relaxation.threads));
       start(c);
       relaxation.planning_seconds += seconds_since(begin);
+      warn_of_step(progress.plans.back(), relaxation.warnings);
     }
     if (hooks.phase) hooks.phase(false);
     CaseRun& run = progress.runs[c];

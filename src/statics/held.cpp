@@ -1,5 +1,7 @@
 #include "statics/held.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bondstatic/mechanism.hpp"
@@ -34,6 +36,21 @@ Held held_by(const Model& model, const BondNetwork& network, std::vector<std::ui
   auto mechanisms = find_mechanisms(model, network, held.dofs, held.left_out);
   if (!mechanisms.empty()) throw MechanismError(model, std::move(mechanisms));
   return held;
+}
+
+std::string lost_loads(const Model& model, const Held& held, const Boundary& boundary,
+                       const std::string& load_case) {
+  Vector3 lost = Vector3::Zero();
+  Index particles = 0;
+  for (std::size_t p = 0; p < model.particles.size(); ++p) {
+    if (!held.left_out[p] || boundary.load[p].isZero(0)) continue;
+    lost += boundary.load[p].head<3>();
+    ++particles;
+  }
+  if (particles == 0) return "";
+  const std::string where = load_case.empty() ? "" : " of load case \"" + load_case + "\"";
+  return fmt::format("loads{} on {} dropped particles are not carried, force ({:.6g}, {:.6g}, {:.6g}) in all",
+                     where, particles, lost.x(), lost.y(), lost.z());
 }
 
 }  // namespace bondstatic

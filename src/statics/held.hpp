@@ -4,6 +4,7 @@
 
 #include "bondstatic/network.hpp"
 #include "bondstatic/statics.hpp"
+#include "model/boundary.hpp"
 
 namespace bondstatic {
 
@@ -18,5 +19,9 @@ struct Held {
 /// nothing is left.
 Held held_by(const Model& model, const BondNetwork& network, std::vector<std::uint8_t> free,
              Unsupported unsupported);
+
+/// What loads of a load case are lost with particles left out, as a warning; "" where none are.
+std::string lost_loads(const Model& model, const Held& held, const Boundary& boundary,
+                       const std::string& load_case);
 
 }  // namespace bondstatic

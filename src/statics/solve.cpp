@@ -31,26 +31,6 @@ std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
   return groups;
 }
 
-// A load that is left out with its particle is said, not lost.
-void warn_of_lost_loads(const Model& model, const Group& group, const std::vector<Boundary>& boundaries,
-                        StaticReport& report) {
-  for (const std::size_t c : group.cases) {
-    Vector3 lost = Vector3::Zero();
-    Index particles = 0;
-    for (std::size_t p = 0; p < group.held.left_out.size(); ++p) {
-      if (!group.held.left_out[p] || boundaries[c].load[p].isZero(0)) continue;
-      lost += boundaries[c].load[p].head<3>();
-      ++particles;
-    }
-    if (particles == 0) continue;
-    const std::string where =
-        model.load_cases[c].empty() ? "" : " of load case \"" + model.load_cases[c] + "\"";
-    report.warnings.push_back(
-        fmt::format("loads{} on {} dropped particles are not carried, force ({:.6g}, {:.6g}, {:.6g}) in all",
-                    where, particles, lost.x(), lost.y(), lost.z()));
-  }
-}
-
 std::string size_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
@@ -111,7 +91,10 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
     group.held = timed("mechanisms", [&] { return held_by(model, network, free, options.unsupported); });
     const FreeDofs& dofs = group.held.dofs;
     report.dropped.insert(report.dropped.end(), group.held.dropped.begin(), group.held.dropped.end());
-    warn_of_lost_loads(model, group, boundaries, report);
+    for (const std::size_t c : group.cases) {
+      const std::string lost = lost_loads(model, group.held, boundaries[c], model.load_cases[c]);
+      if (!lost.empty()) report.warnings.push_back(lost);
+    }
 
     // 4. Order, predict, assemble, factorise.
     if (dofs.unknowns() > 0) {

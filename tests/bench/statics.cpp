@@ -1,4 +1,4 @@
-// Benchmarks of the static solve, as a Markdown table: whole process for the reference cantilever, and a
+// The static solve: whole process for the reference cantilever, and a
 // cubic lattice of 8,000 particles against the naive version and on a busy machine. Ratios are formed within
 // one run.
 #include "bondstatic/statics.hpp"
@@ -8,30 +8,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "bench/busy.hpp"
 #include "bench/naive.hpp"
+#include "bench/tables.hpp"
+#include "bench/timing.hpp"
 #include "support/models.hpp"
 
 namespace bondstatic::bench {
 namespace {
-
-double seconds_of(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median_seconds(int repeats, const std::function<void()>& work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < repeats; ++i) seconds.push_back(seconds_of(work));
-  std::nth_element(seconds.begin(), seconds.begin() + repeats / 2, seconds.end());
-  return seconds[std::size_t(repeats / 2)];
-}
 
 void run_program(const std::string& case_file) {
   std::fflush(stdout);  // else the child writes it, too
@@ -95,10 +83,11 @@ double phase_seconds(const StaticReport& report, const std::string& name) {
   return 0;
 }
 
-void run() {
+}  // namespace
+
+void print_statics() {
   const std::string cantilever = BONDSTATIC_SOURCE_DIR "/cases/cantilever/case.toml";
   run_program(cantilever);
-  fmt::print("| what | figure |\n|---|---|\n");
   fmt::print("| reference cantilever, whole process | {:.1f} ms (median of 21) |\n",
              1e3 * median_seconds(21, [&] { run_program(cantilever); }));
 
@@ -144,10 +133,4 @@ void run() {
   print_chain_errors();
 }
 
-}  // namespace
 }  // namespace bondstatic::bench
-
-int main() {
-  bondstatic::bench::run();
-  return 0;
-}

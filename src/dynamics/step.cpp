@@ -1,0 +1,192 @@
+// One step after another, alone or on several threads.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/run_data.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+// Sums over blocks of a fixed size, added up in order, do not depend on who worked on which block.
+constexpr Index packs_a_block = 64;
+
+Index blocks_of(Index count, Index size) {
+  return (count + size - 1) / size;
+}
+
+/// What the lanes of a pack read of their two bodies.
+void read_motions(const BondPack& pack, const Bodies& bodies, bool finite, EndMotions& motions) {
+  for (int lane = 0; lane < pack_size; ++lane) {
+    const double* va = &bodies.velocity[6 * std::size_t(pack.a[lane])];
+    const double* vb = &bodies.velocity[6 * std::size_t(pack.b[lane])];
+    for (int i = 0; i < 3; ++i) {
+      motions.velocity_a[i].at[lane] = va[i];
+      motions.velocity_b[i].at[lane] = vb[i];
+      motions.spin_a[i].at[lane] = va[i + 3];
+      motions.spin_b[i].at[lane] = vb[i + 3];
+    }
+    if (!finite) continue;
+    const double* ua = &bodies.motion[6 * std::size_t(pack.a[lane])];
+    const double* ub = &bodies.motion[6 * std::size_t(pack.b[lane])];
+    for (int i = 0; i < 3; ++i) {
+      motions.displacement_a[i].at[lane] = ua[i];
+      motions.displacement_b[i].at[lane] = ub[i];
+    }
+  }
+}
+
+void scatter(const BondPack& pack, const EndForces& ends, Bodies& bodies) {
+  for (int lane = 0; lane < pack_size; ++lane) {
+    double* a = &bodies.force[6 * std::size_t(pack.a[lane])];
+    double* b = &bodies.force[6 * std::size_t(pack.b[lane])];
+    for (int i = 0; i < 3; ++i) {
+      a[i] -= ends.force[i].at[lane];
+      a[i + 3] += ends.moment_a[i].at[lane];
+      b[i] += ends.force[i].at[lane];
+      b[i + 3] += ends.moment_b[i].at[lane];
+    }
+  }
+}
+
+void gather(const EndsOfBody& of, const std::vector<EndForces>& all, Index body, Bodies& bodies) {
+  double* f = &bodies.force[6 * std::size_t(body)];
+  for (Index e = of.offset[std::size_t(body)]; e < of.offset[std::size_t(body) + 1]; ++e) {
+    const Index end = of.end[std::size_t(e)], slot = end / 2;
+    const EndForces& ends = all[std::size_t(slot / pack_size)];
+    const auto lane = std::size_t(slot % pack_size);
+    for (int i = 0; i < 3; ++i) {
+      if (end % 2 == 0) {
+        f[i] -= ends.force[i].at[lane];
+        f[i + 3] += ends.moment_a[i].at[lane];
+      } else {
+        f[i] += ends.force[i].at[lane];
+        f[i + 3] += ends.moment_b[i].at[lane];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+EndsOfBody ends_of_bodies(const std::vector<BondPack>& packs, Index bodies) {
+  EndsOfBody of;
+  of.offset.assign(std::size_t(bodies) + 2, 0);
+  const auto each_end = [&](auto use) {
+    for (std::size_t pack = 0; pack < packs.size(); ++pack)
+      for (int lane = 0; lane < pack_size; ++lane) {
+        const Index slot = Index(pack) * pack_size + lane;
+        use(packs[pack].a[lane], 2 * slot);
+        use(packs[pack].b[lane], 2 * slot + 1);
+      }
+  };
+  each_end([&](Index body, Index) { ++of.offset[std::size_t(body) + 1]; });
+  for (std::size_t p = 1; p < of.offset.size(); ++p) of.offset[p] += of.offset[p - 1];
+  of.end.resize(std::size_t(of.offset.back()));
+  std::vector<Index> next = of.offset;
+  each_end([&](Index body, Index end) { of.end[std::size_t(next[std::size_t(body)]++)] = end; });
+  return of;
+}
+
+double ExplicitRun::Data::factor_at(Index at_step) const {
+  const double t = double(at_step) * options.time_step;
+  if (!(t < options.ramp_time)) return 1;
+  const double s = t / options.ramp_time;
+  return options.ramp == Ramp::linear ? s : s * s * (3 - 2 * s);
+}
+
+void ExplicitRun::Data::begin() {
+  // Half a kick back, so that the first whole one leaves the velocity of step 0 in the middle. The half of
+  // the work that belongs to the time before the start is taken off again.
+  const double dt = options.time_step, ramp = factor_at(0);
+  double work_before = 0, damped_before = 0, energy = 0;
+  for (std::size_t dof = 0; dof < bodies.velocity.size(); ++dof) {
+    if (!(bodies.inverse[dof] > 0)) continue;
+    const double applied = ramp * bodies.load[dof], f = bodies.force[dof] + applied, v = bodies.velocity[dof];
+    const double d = first_particle_damping(options.particle_damping, f, v, bodies.inverse[dof]);
+    const double kick = 0.5 * dt * bodies.inverse[dof] * (f + d);
+    bodies.velocity[dof] = v - kick;
+    work_before += 0.5 * dt * applied * (v - kick);
+    damped_before -= 0.5 * dt * d * (v - kick);
+    energy += 0.5 * (v - kick) * (v + kick) / bodies.inverse[dof];
+  }
+  work.add(-work_before);
+  dissipated.add(-damped_before);
+  initial_energy = energy;
+}
+
+StepSums ExplicitRun::Data::move_block(Index block, const Loading& now) {
+  const StepSums sums = kick_and_drift(bodies, block, options, now);
+  if (options.kinematics == Kinematics::finite) turn(bodies, block, options.time_step);
+  return sums;
+}
+
+/// Bonds of one block of packs; into the bodies at once, or kept for them to gather.
+StepSums ExplicitRun::Data::advance_block(Index block, EndForces* kept) {
+  const bool finite = options.kinematics == Kinematics::finite;
+  const Index last = std::min(Index(packs.size()), (block + 1) * packs_a_block);
+  StepSums sums;
+  EndMotions motions;
+  EndForces own;
+  Lanes damped;
+  for (Index k = block * packs_a_block; k < last; ++k) {
+    BondPack& pack = packs[std::size_t(k)];
+    EndForces& out = kept ? kept[k] : own;
+    read_motions(pack, bodies, finite, motions);
+    if (dashpots.empty()) {
+      advance_bonds(options.kinematics, pack, motions, options.time_step, out);
+    } else {
+      advance_bonds(options.kinematics, pack, dashpots[std::size_t(k)], motions, options.time_step, out,
+                    damped);
+      for (const double part : damped.at) sums.dissipated += part;
+    }
+    if (!kept) scatter(pack, own, bodies);
+  }
+  return sums;
+}
+
+void ExplicitRun::Data::one_step() {
+  const Loading now = loading();
+  for (Index block = 0; block < blocks_of(Index(bodies.motion.size()), dofs_a_block); ++block) {
+    const StepSums sums = move_block(block, now);
+    work.add(sums.work);
+    dissipated.add(sums.dissipated);
+  }
+  for (Index block = 0; block < blocks_of(Index(packs.size()), packs_a_block); ++block)
+    dissipated.add(advance_block(block, nullptr).dissipated);
+  ++step;
+}
+
+void ExplicitRun::Data::steps_on_threads(Index steps) {
+  const Index body_blocks = blocks_of(Index(bodies.motion.size()), dofs_a_block);
+  const Index pack_blocks = blocks_of(Index(packs.size()), packs_a_block);
+  if (ends.empty()) {
+    ends.resize(packs.size());
+    ends_of_body = ends_of_bodies(packs, bodies.count);
+  }
+  std::vector<StepSums> of_bodies(static_cast<std::size_t>(body_blocks)),
+      of_packs(static_cast<std::size_t>(pack_blocks));
+#pragma omp parallel num_threads(options.threads)
+  for (Index n = 0; n < steps; ++n) {
+    const Loading now = loading();
+#pragma omp for schedule(static)
+    for (Index block = 0; block < body_blocks; ++block)
+      of_bodies[std::size_t(block)] = move_block(block, now);
+#pragma omp for schedule(static)
+    for (Index block = 0; block < pack_blocks; ++block)
+      of_packs[std::size_t(block)] = advance_block(block, ends.data());
+#pragma omp for schedule(static)
+    for (Index body = 0; body < bodies.count; ++body) gather(ends_of_body, ends, body, bodies);
+#pragma omp single
+    {
+      for (const StepSums& sums : of_bodies) {
+        work.add(sums.work);
+        dissipated.add(sums.dissipated);
+      }
+      for (const StepSums& sums : of_packs) dissipated.add(sums.dissipated);
+      ++step;
+    }
+  }
+}
+
+}  // namespace bondstatic
