@@ -5,17 +5,15 @@
 #include "dynamics/vec3.hpp"
 #include "dynamics/wide.hpp"
 
-#define INLINE inline __attribute__((always_inline))
-
 namespace bondstatic {
 
 namespace {
 
-INLINE Vec3 get(const Lanes (&lanes)[3], int lane) {
+ALWAYS_INLINE Vec3 get(const Lanes (&lanes)[3], int lane) {
   return {lanes[0].at[lane], lanes[1].at[lane], lanes[2].at[lane]};
 }
 
-INLINE void put(Lanes (&lanes)[3], int lane, const Vec3& value) {
+ALWAYS_INLINE void put(Lanes (&lanes)[3], int lane, const Vec3& value) {
   lanes[0].at[lane] = value.x;
   lanes[1].at[lane] = value.y;
   lanes[2].at[lane] = value.z;
@@ -25,17 +23,17 @@ struct Axes {
   Vec3 x, y, z;
 };
 
-INLINE Vec3 in_axes(const Axes& e, const Vec3& v) {
+ALWAYS_INLINE Vec3 in_axes(const Axes& e, const Vec3& v) {
   return {dot(e.x, v), dot(e.y, v), dot(e.z, v)};
 }
 
-INLINE Vec3 in_space(const Axes& e, const Vec3& v) {
+ALWAYS_INLINE Vec3 in_space(const Axes& e, const Vec3& v) {
   return v.x * e.x + v.y * e.y + v.z * e.z;
 }
 
 /// e_y as the bond turns from axis `e0` to `e1` by the shortest way and then, about e1, by the angle
 /// `2 half_twist` (to third order).
-INLINE Vec3 carried_side(const Vec3& side, const Vec3& e0, const Vec3& e1, double half_twist) {
+ALWAYS_INLINE Vec3 carried_side(const Vec3& side, const Vec3& e0, const Vec3& e1, double half_twist) {
   const Vec3 turned = side - (dot(side, e1) / (1 + dot(e0, e1))) * (e0 + e1);
   const double norm = 1 / (1 + half_twist * half_twist);
   const Vec3 twisted =
@@ -55,14 +53,14 @@ struct StepGeometry {
   double arm_a, arm_b;  ///< lever arms after the step
 };
 
-INLINE StepGeometry frozen(const BondPack& p, int l) {
+ALWAYS_INLINE StepGeometry frozen(const BondPack& p, int l) {
   const Vec3 x = get(p.axis, l), y = get(p.side, l);
   const Axes axes{x, y, cross(x, y)};
   const double arm = p.start_arm.at[l], length = p.start_length.at[l];
   return {axes, axes, get(p.branch, l), arm / length, arm, length - arm};
 }
 
-INLINE StepGeometry followed(BondPack& p, const EndMotions& m, int l, double dt) {
+ALWAYS_INLINE StepGeometry followed(BondPack& p, const EndMotions& m, int l, double dt) {
   const Vec3 e0 = get(p.axis, l), y0 = get(p.side, l);
   const Vec3 branch = get(p.branch, l) + (get(m.displacement_b, l) - get(m.displacement_a, l));
   const Vec3 moved = dt * (get(m.velocity_b, l) - get(m.velocity_a, l));
@@ -91,7 +89,7 @@ struct RelativeVelocity {
   Vec3 v, w;
 };
 
-INLINE RelativeVelocity relative_velocity(const StepGeometry& g, const EndMotions& m, int l) {
+ALWAYS_INLINE RelativeVelocity relative_velocity(const StepGeometry& g, const EndMotions& m, int l) {
   const Vec3 spin_a = get(m.spin_a, l), spin_b = get(m.spin_b, l);
   const Vec3 from_a = g.fraction * g.branch, from_b = from_a - g.branch;
   const Vec3 at_a = get(m.velocity_a, l) + cross(spin_a, from_a);
@@ -100,7 +98,7 @@ INLINE RelativeVelocity relative_velocity(const StepGeometry& g, const EndMotion
 }
 
 /// Table 8, left column; the coupling of stepped sections is this program's own.
-INLINE void add_increments(BondPack& p, const RelativeVelocity& r, int l, double dt) {
+ALWAYS_INLINE void add_increments(BondPack& p, const RelativeVelocity& r, int l, double dt) {
   const double c = p.coupling.at[l];
   p.force[0].at[l] += p.kn.at[l] * r.v.x * dt;
   p.force[1].at[l] += (p.ks.at[l] * r.v.y + c * r.w.z) * dt;
@@ -111,8 +109,8 @@ INLINE void add_increments(BondPack& p, const RelativeVelocity& r, int l, double
 }
 
 /// Table 8, right column: F_beta = F_c, F_alpha = -F_c, moments with both lever arms.
-INLINE void put_ends(EndForces& ends, const StepGeometry& g, Vec3 force, Vec3 moment, double feedback,
-                     int l) {
+ALWAYS_INLINE void put_ends(EndForces& ends, const StepGeometry& g, Vec3 force, Vec3 moment, double feedback,
+                            int l) {
   const Vec3 lever{0, -force.z, force.y};  // e_x cross F_c
   const Vec3 m = feedback * moment;
   put(ends.force, l, in_space(g.after, force));
@@ -121,15 +119,15 @@ INLINE void put_ends(EndForces& ends, const StepGeometry& g, Vec3 force, Vec3 mo
 }
 
 template <Kinematics kinematics>
-INLINE void advance_lane(BondPack& p, const EndMotions& m, double dt, EndForces& ends, int l) {
+ALWAYS_INLINE void advance_lane(BondPack& p, const EndMotions& m, double dt, EndForces& ends, int l) {
   const StepGeometry g = kinematics == Kinematics::finite ? followed(p, m, l, dt) : frozen(p, l);
   add_increments(p, relative_velocity(g, m, l), l, dt);
   put_ends(ends, g, get(p.force, l), get(p.moment, l), p.feedback.at[l], l);
 }
 
 template <Kinematics kinematics>
-INLINE void advance_lane(BondPack& p, DashpotPack& d, const EndMotions& m, double dt, EndForces& ends,
-                         Lanes& dissipated, int l) {
+ALWAYS_INLINE void advance_lane(BondPack& p, DashpotPack& d, const EndMotions& m, double dt, EndForces& ends,
+                                Lanes& dissipated, int l) {
   const StepGeometry g = kinematics == Kinematics::finite ? followed(p, m, l, dt) : frozen(p, l);
   const RelativeVelocity r = relative_velocity(g, m, l);
   add_increments(p, r, l, dt);

@@ -45,6 +45,9 @@ Bodies make_bodies(const Model& model, const Boundary& boundary, const std::vect
       } else if (to != 0) {
         bodies.moved.push_back(Index(dof));
         bodies.how_far.push_back(to);
+        const bool turns =
+            options.kinematics == Kinematics::finite && i >= 3 && (boundary.free[p] & 0x38) == 0;
+        bodies.turned.push_back(turns ? options.load_factor * boundary.prescribed[p].tail<3>().norm() : 0);
       }
     }
   }
@@ -62,7 +65,10 @@ double move_supports(Bodies& bodies, Index first, Index last, double dt, const L
     const auto dof = std::size_t(*at), which = std::size_t(at - bodies.moved.begin());
     const double applied = loading.now * bodies.load[dof];
     const double before = bodies.velocity[dof];
-    const double after = bodies.how_far[which] * ((loading.next - loading.now) / dt);
+    // Cayley's rotation by spin w turns by 2 atan(w dt / 2): the angle of the step is to come out exactly.
+    const double part = loading.next - loading.now, half = 0.5 * part * bodies.turned[which];
+    const double stretch = half != 0 ? std::tan(half) / half : 1;
+    const double after = stretch * bodies.how_far[which] * (part / dt);
     work -= 0.5 * dt * (bodies.force[dof] * (before + after) + 2 * applied * after);
     bodies.velocity[dof] = after;
   }

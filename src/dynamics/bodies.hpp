@@ -28,6 +28,8 @@ struct Bodies {
   /// Degrees of freedom (6 p + i) that are moved, ascending, and how far.
   std::vector<Index> moved;
   std::vector<double> how_far;
+  std::vector<double>
+      turned;  ///< the whole angle that its body is turned by, where kinematics are finite; else 0
 };
 
 /// Throws Error (invalid_input) where a particle that takes part has no density.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/body_lanes.hpp"
 #include "dynamics/run_data.hpp"
 
 namespace bondstatic {
@@ -13,40 +14,6 @@ constexpr Index packs_a_block = 64;
 
 Index blocks_of(Index count, Index size) {
   return (count + size - 1) / size;
-}
-
-/// What the lanes of a pack read of their two bodies.
-void read_motions(const BondPack& pack, const Bodies& bodies, bool finite, EndMotions& motions) {
-  for (int lane = 0; lane < pack_size; ++lane) {
-    const double* va = &bodies.velocity[6 * std::size_t(pack.a[lane])];
-    const double* vb = &bodies.velocity[6 * std::size_t(pack.b[lane])];
-    for (int i = 0; i < 3; ++i) {
-      motions.velocity_a[i].at[lane] = va[i];
-      motions.velocity_b[i].at[lane] = vb[i];
-      motions.spin_a[i].at[lane] = va[i + 3];
-      motions.spin_b[i].at[lane] = vb[i + 3];
-    }
-    if (!finite) continue;
-    const double* ua = &bodies.motion[6 * std::size_t(pack.a[lane])];
-    const double* ub = &bodies.motion[6 * std::size_t(pack.b[lane])];
-    for (int i = 0; i < 3; ++i) {
-      motions.displacement_a[i].at[lane] = ua[i];
-      motions.displacement_b[i].at[lane] = ub[i];
-    }
-  }
-}
-
-void scatter(const BondPack& pack, const EndForces& ends, Bodies& bodies) {
-  for (int lane = 0; lane < pack_size; ++lane) {
-    double* a = &bodies.force[6 * std::size_t(pack.a[lane])];
-    double* b = &bodies.force[6 * std::size_t(pack.b[lane])];
-    for (int i = 0; i < 3; ++i) {
-      a[i] -= ends.force[i].at[lane];
-      a[i + 3] += ends.moment_a[i].at[lane];
-      b[i] += ends.force[i].at[lane];
-      b[i + 3] += ends.moment_b[i].at[lane];
-    }
-  }
 }
 
 void gather(const EndsOfBody& of, const std::vector<EndForces>& all, Index body, Bodies& bodies) {
@@ -140,7 +107,7 @@ StepSums ExplicitRun::Data::advance_block(Index block, EndForces* kept) {
                     damped);
       for (const double part : damped.at) sums.dissipated += part;
     }
-    if (!kept) scatter(pack, own, bodies);
+    if (!kept) add_forces(pack, own, bodies);
   }
   return sums;
 }

@@ -7,3 +7,4 @@
 #else
 #define WIDE_AS_THE_MACHINE
 #endif
+#define ALWAYS_INLINE inline __attribute__((always_inline))

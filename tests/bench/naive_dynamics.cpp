@@ -77,10 +77,11 @@ std::vector<Vector3> run_naively(const Model& model, const std::vector<BondPrope
     bonds.push_back(one);
   }
   for (int n = 0; n < steps; ++n) {
+    const double kick = n == 0 ? 0.5 * time_step : time_step;  // from rest to the first half step
     for (NaiveParticle& p : particles) {
       if (!p.held) {
-        p.v += time_step / p.mass * damped(p.f + p.load, p.v, 0.5 * time_step / p.mass);
-        p.w += time_step / p.inertia * damped(p.m, p.w, 0.5 * time_step / p.inertia);
+        p.v += kick / p.mass * damped(p.f + p.load, p.v, 0.5 * time_step / p.mass);
+        p.w += kick / p.inertia * damped(p.m, p.w, 0.5 * time_step / p.inertia);
         p.x += time_step * p.v;
         p.moved += time_step * p.v;
       }
