@@ -2,10 +2,10 @@
 // state.
 //
 // With small kinematics the run's limit is the linear static answer. With finite kinematics it differs at
-// second order in the load; runs at one half (and, where third order is felt, one quarter) of the load tell
-// the orders apart:
+// second order in the load; runs at one half (and, where higher orders are felt, one quarter and one eighth)
+// of the load tell the orders apart:
 //
-//     run(s) - s static = s d1 + s^2 d2 + s^3 d3,      s = 1, 1/2, 1/4,
+//     run(s) - s static = s d1 + s^2 d2 + s^3 d3 + s^4 d4,      s = 1, 1/2, 1/4, 1/8,
 //
 // and only d1, which should not be there, is held against the tolerance.
 #pragma once
@@ -35,7 +35,7 @@ struct FieldDifference {
   Worst worst;
   double first_order = 0;           ///< largest of d1; equals `largest` where kinematics are small
   double second_order = not_given;  ///< largest of d2; NaN where kinematics are small
-  double third_order = not_given;   ///< largest of d3; NaN where no third run was needed
+  double third_order = not_given;   ///< largest of d3; NaN where two runs told enough
 };
 
 struct CaseCertificate {
@@ -43,7 +43,8 @@ struct CaseCertificate {
   std::vector<FieldDifference> fields;
   RelaxedCase run;  ///< under the full load
   Accuracy statics;
-  bool agrees = false;  ///< at rest, and every first_order within the tolerance
+  bool at_rest = false;  ///< every run that this rests on
+  bool agrees = false;   ///< at rest, and every first_order within the tolerance
 };
 
 struct Certificate {

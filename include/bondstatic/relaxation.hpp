@@ -2,6 +2,7 @@
 // ramped, damped until nothing moves for a period of the slowest mode.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -91,6 +92,8 @@ using Probes = std::vector<std::pair<std::string, double>>;
 struct RelaxHooks {
   /// Further columns of the history, the same names at every call for a load case.
   std::function<Probes(const State&)> probe;
+  /// Tells probes apart: a checkpoint made with another is refused.
+  std::uint64_t probe_fingerprint = 0;
   /// Called before a load case is planned, which may take a while and hears of nothing, and before it runs.
   std::function<void(bool planning)> phase;
   /// Called at every look, often or not; false stops the run.

@@ -9,6 +9,7 @@
 #include "app/relax_report.hpp"
 #include "app/run_case.hpp"
 #include "app/terminal.hpp"
+#include "io/archive.hpp"
 #include "io/replace_file.hpp"
 
 namespace bondstatic {
@@ -60,6 +61,12 @@ Probes outputs_as_probes(const Case& given, const State& state) {
   return probes;
 }
 
+std::uint64_t fingerprint_of(const std::vector<Output>& outputs) {
+  Archive f;
+  for (const Output& o : outputs) f(o.name, o.of, o.at, o.base, o.axis, o.reduce, o.scale, o.load_case);
+  return f.checksum();
+}
+
 [[noreturn]] void end_interrupted(const RelaxArguments& arguments, const fs::path& file) {
   if (!arguments.solve.folder.empty() && fs::exists(file))
     fmt::print(stderr, "bondstatic: stopped; {} keeps the run, go on with --resume\n", file.string());
@@ -81,6 +88,7 @@ ExitCode relax(const RelaxArguments& arguments) {
   hooks.resume = checkpoint_to_resume(arguments, file);
   hooks.resume_name = file.string();
   hooks.keep_every = arguments.checkpoint_every;
+  hooks.probe_fingerprint = fingerprint_of(given.outputs);
   if (!given.outputs.empty())
     hooks.probe = [&](const State& state) { return outputs_as_probes(given, state); };
   if (!options.folder.empty())
@@ -110,7 +118,8 @@ ExitCode relax(const RelaxArguments& arguments) {
   std::vector<std::string> files;
   std::string written;
   if (!options.folder.empty()) {
-    write_relaxation(given.model, run, relaxation, outputs, options.folder, DeferredInterrupts::check);
+    // A signal now waits until all is written: what took hours to run takes seconds to keep.
+    write_relaxation(given.model, run, relaxation, outputs, options.folder);
     files = relaxation_files(given.model);
     for (const std::string& name : files) written += (written.empty() ? "" : ", ") + name;
     written = wrapped(options.folder + ": " + written, 12);

@@ -33,14 +33,14 @@ std::string counted(Index count, const std::string& what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string outputs_table(const std::vector<OutputValue>& outputs) {
+std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) {
   Table table{{{"output", "value", "expected", "relative error", "source"}},
               {false, true, true, true, false}};
   for (const OutputValue& output : outputs) {
     std::vector<std::string> row{output.name, fmt::format("{:.10g}", output.value), "", "", ""};
     if (output.expected) {
       const double error = output.relative_error();
-      const bool agrees = error <= output.tolerance;
+      const bool agrees = !judged || error <= output.tolerance;
       row[2] = fmt::format("{:.10g}", *output.expected);
       row[3] = fmt::format("{:.1e}", error);
       row[4] =

@@ -9,7 +9,8 @@ namespace bondstatic {
 
 /// Title and what the model consists of.
 std::string heading(const Case& given);
-std::string outputs_table(const std::vector<OutputValue>& outputs);
+/// `judged`: what is farther from its expected value than its tolerance is said to be.
+std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged = true);
 std::string displacement_table(const Case& given, const std::vector<const State*>& states);
 std::string warnings_text(const std::vector<std::string>& warnings);
 std::string dropped_text(const Case& given, const std::vector<std::vector<Index>>& dropped);

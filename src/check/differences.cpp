@@ -73,11 +73,16 @@ Eigen::MatrixXd order_weights(const std::vector<ScaledState>& runs, int first) {
   return powers.inverse().transpose();
 }
 
+/// Nothing is larger than NaN: what a run lacks must not look like agreement.
+bool larger(double value, double than) {
+  return !std::isnan(than) && !(value <= than);
+}
+
+/// Beyond the third an order is only there to be taken off.
 void put_order(FieldDifference& difference, Eigen::Index order, double value) {
-  double& slot = order == 0   ? difference.first_order
-                 : order == 1 ? difference.second_order
-                              : difference.third_order;
-  if (!(slot >= value)) slot = value;  // NaN: not told so far
+  if (order == 0) difference.first_order = value;
+  if (order == 1) difference.second_order = value;
+  if (order == 2) difference.third_order = value;
 }
 
 FieldDifference difference_of(const Field& field, const State& statics, const std::vector<ScaledState>& runs,
@@ -88,6 +93,7 @@ FieldDifference difference_of(const Field& field, const State& statics, const st
   result.field = field.name;
   result.worst.of_bond = field.of_bond;
   double squares = 0, of_statics = 0;
+  Eigen::VectorXd orders = Eigen::VectorXd::Zero(weights.cols());
   for (std::size_t i = 0; i < size_of(field, statics); ++i) {
     const Vector3 exact = field.at(statics, i);
     if (exact.hasNaN()) continue;  // left out
@@ -97,13 +103,16 @@ FieldDifference difference_of(const Field& field, const State& statics, const st
     squares += apart.col(0).squaredNorm();
     of_statics += exact.squaredNorm();
     const double size = scale > 0 ? apart.col(0).norm() / scale : 0;
-    if (result.worst.at < 0 || size > result.largest) {
+    if (result.worst.at < 0 || larger(size, result.largest)) {
       result.largest = size;
       result.worst.at = Index(i);
     }
-    for (Eigen::Index order = 0; order < weights.cols(); ++order)
-      put_order(result, order, scale > 0 ? (apart * weights.col(order)).norm() / scale : 0);
+    for (Eigen::Index order = 0; order < weights.cols(); ++order) {
+      const double part = scale > 0 ? (apart * weights.col(order)).norm() / scale : 0;
+      if (larger(part, orders[order])) orders[order] = part;
+    }
   }
+  for (Eigen::Index order = 0; order < orders.size(); ++order) put_order(result, order, orders[order]);
   const double against = std::max(std::sqrt(of_statics), scale);
   if (against > 0) result.norm = std::sqrt(squares) / against;
   return result;

@@ -10,8 +10,18 @@
 
 namespace bondstatic {
 
+void require_masses(const Model& model, const Boundary& boundary, const std::vector<bool>& left_out) {
+  for (std::size_t p = 0; p < model.particles.size(); ++p)
+    if (!left_out[p] && boundary.free[p] && !(mass(model.particles[p]) > 0))
+      throw Error(ExitCode::invalid_input,
+                  fmt::format("particle {} has no density, which a run through time needs for its mass\n"
+                              "    cure: add density = RHO to its [[particles]] block",
+                              model.particles[p].id));
+}
+
 Bodies make_bodies(const Model& model, const Boundary& boundary, const std::vector<bool>& left_out,
                    const DynamicOptions& options) {
+  require_masses(model, boundary, left_out);
   const std::size_t count = model.particles.size();
   Bodies bodies;
   bodies.count = Index(count);
@@ -31,11 +41,6 @@ Bodies make_bodies(const Model& model, const Boundary& boundary, const std::vect
       continue;
     }
     const double m = mass(particle), inertia = moment_of_inertia(particle);
-    if (boundary.free[p] && !(m > 0))
-      throw Error(ExitCode::invalid_input,
-                  fmt::format("particle {} has no density, which a run through time needs for its mass\n"
-                              "    cure: add density = RHO to its [[particles]] block",
-                              particle.id));
     for (std::size_t i = 0; i < 6; ++i) {
       const std::size_t dof = 6 * p + i;
       bodies.load[dof] = options.load_factor * boundary.load[p][Eigen::Index(i)];

@@ -32,7 +32,10 @@ struct Bodies {
       turned;  ///< the whole angle that its body is turned by, where kinematics are finite; else 0
 };
 
-/// Throws Error (invalid_input) where a particle that takes part has no density.
+/// Throws Error (invalid_input) that names a particle which takes part, can move and has no density.
+void require_masses(const Model& model, const Boundary& boundary, const std::vector<bool>& left_out);
+
+/// With require_masses.
 Bodies make_bodies(const Model& model, const Boundary& boundary, const std::vector<bool>& left_out,
                    const DynamicOptions& options);
 

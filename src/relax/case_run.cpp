@@ -52,7 +52,8 @@ bool CaseRun::go_on(const std::function<Probes(const State&)>& probe) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   if (run_.step() == 0) look(probe);
-  const Index steps = std::min(stretch_, options_.max_steps - run_.step());
+  // Looks stand at whole stretches, whatever limit of steps has ended an earlier part.
+  const Index steps = std::min(stretch_ - run_.step() % stretch_, options_.max_steps - run_.step());
   run_.advance(steps);
   look(probe);
   const double took = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -68,12 +69,15 @@ void CaseRun::look(const std::function<Probes(const State&)>& probe) {
 
   const bool calm = run_.time() >= plan_.ramp_time && unrest_.fastest < options_.velocity_limit &&
                     unrest_.unbalanced < options_.force_limit;
-  if (!calm) calm_since_ = -1;
-  if (calm && calm_since_ < 0) calm_since_ = run_.step();
-  at_rest_ = calm && run_.step() - calm_since_ >= hold_steps_;
+  // A look at the limit of steps leaves no trace for a run that goes on with a higher one.
+  const bool on_grid = run_.step() % stretch_ == 0;
+  if (!calm && on_grid) calm_since_ = -1;
+  if (calm && on_grid && calm_since_ < 0) calm_since_ = run_.step();
+  at_rest_ = calm && on_grid && run_.step() - calm_since_ >= hold_steps_;
   ended_ = at_rest_ || run_.step() >= options_.max_steps;
 
-  if (!ended_ && !history_.wants(run_.step() / stretch_)) return;
+  const bool wanted = on_grid && history_.wants(run_.step() / stretch_);
+  if (!ended_ && !wanted) return;
   Probes row{{"step", double(run_.step())},       {"time", run_.time()},
              {"load_factor", run_.load_factor()}, {"kinetic", energies.kinetic},
              {"strain", energies.strain},         {"work", energies.work},
@@ -81,7 +85,8 @@ void CaseRun::look(const std::function<Probes(const State&)>& probe) {
              {"fastest", unrest_.fastest},        {"unbalanced", unrest_.unbalanced}};
   if (probe)
     for (auto& more : probe(run_.state())) row.push_back(std::move(more));
-  history_.add(row);
+  if (wanted) return history_.add(row);
+  for (const auto& [name, value] : row) last_row_.push_back(value);
 }
 
 void CaseRun::check_for_blow_up(const Energies& energies) {
@@ -124,6 +129,7 @@ RelaxedCase CaseRun::result() const {
   result.unrest = unrest_;
   result.seconds = seconds_;
   result.history = history_.columns();
+  for (std::size_t c = 0; c < last_row_.size(); ++c) result.history[c].values.push_back(last_row_[c]);
   return result;
 }
 
@@ -132,9 +138,11 @@ void CaseRun::carry(Archive& archive) {
   archive(run, calm_since_, ended_, at_rest_, most_work_, seconds_);
   archive(unrest_.fastest, unrest_.particle, unrest_.unbalanced);
   history_.carry(archive);
+  archive(last_row_);
   if (!archive.reading()) return;
   run_.load(run);
   if (!at_rest_) ended_ = run_.step() >= options_.max_steps;  // the limit may have been raised
+  if (!ended_) last_row_.clear();
 }
 
 }  // namespace bondstatic

@@ -41,6 +41,7 @@ class CaseRun {
   double most_work_ = 0;
   Unrest unrest_;
   History history_;
+  std::vector<double> last_row_;  ///< where the run ended, unless the history has it
   double seconds_ = 0;
   double seconds_a_step_ = 0;
 };

@@ -8,6 +8,7 @@
 
 #include "bondstatic/error.hpp"
 #include "bondstatic/modes.hpp"
+#include "dynamics/bodies.hpp"
 #include "solver/machine.hpp"
 #include "statics/refine.hpp"
 
@@ -118,6 +119,7 @@ double particle_damping_decay(double gamma) {
 
 DynamicPlan plan_run(const PlanInput& input, const RelaxOptions& options, const StaticOptions& solve,
                      int threads) {
+  require_masses(input.model, input.boundary, input.held.left_out);
   DynamicPlan plan;
   const FreeDofs& dofs = input.held.dofs;
   const BodyMasses masses = body_masses(input.model);

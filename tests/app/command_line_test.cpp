@@ -52,6 +52,16 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"OptionWithoutValue", {"solve", "a.toml", "--out"}, "--out"},
         Misuse{"MissingFile", {"solve", "no/such/case.toml"}, "no/such/case.toml"},
         Misuse{"MisspeltLaw", {"laws", "timoshenk"}, "did you mean \"timoshenko\"?"},
+        Misuse{"MisspeltRelax", {"relx", "case.toml"}, "did you mean \"relax\"?"},
+        Misuse{"MisspeltCheck", {"chekc", "case.toml"}, "did you mean \"check\"?"},
+        Misuse{"RelaxWithoutCase", {"relax"}, "CASE is required"},
+        Misuse{"CheckWithoutCase", {"check", "--json"}, "CASE is required"},
+        Misuse{"CheckpointsTooOften", {"relax", "a.toml", "--checkpoint-every", "-1"}, "--checkpoint-every"},
+        Misuse{
+            "CheckpointsNoNumber", {"relax", "a.toml", "--checkpoint-every", "often"}, "--checkpoint-every"},
+        Misuse{"MisspeltResume", {"relax", "a.toml", "--resum"}, "did you mean \"--resume\"?"},
+        Misuse{"NothingToResume", {"check", "a.toml", "--resume"}, "unknown option --resume"},
+        Misuse{"SolveDoesNotResume", {"solve", "a.toml", "--resume"}, "unknown option --resume"},
         Misuse{"NothingVaried", {"sweep", "a.toml"}, "--vary is required"},
         Misuse{"VaryWithoutValues", {"sweep", "a.toml", "--vary", "bonds.0.young"}, "KEY=v1,v2"},
         Misuse{"VaryWithEmptyValue", {"sweep", "a.toml", "--vary", "k=1,,2"}, "empty value"},
@@ -62,6 +72,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CommandLine, HelpAndVersionEnd0) {
   EXPECT_THAT(run_program({"--help"}).out, HasSubstr("sweep"));
   EXPECT_THAT(run_program({"solve", "--help"}).out, HasSubstr("--set"));
+  for (const char* option : {"--resume", "--checkpoint-every", "--out", "--json", "--threads"})
+    EXPECT_THAT(run_program({"relax", "--help"}).out, HasSubstr(option));
+  EXPECT_THAT(run_program({"check", "--help"}).out, HasSubstr("certificate"));
   const Ended version_told = run_program({"--version"});
   EXPECT_EQ(version_told.code, 0);
   EXPECT_THAT(version_told.out, HasSubstr("bondstatic " + version()));

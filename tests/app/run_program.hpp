@@ -27,15 +27,16 @@ class Program {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    const std::string out = (streams_ / "out").string(), err = (streams_ / "err").string();
+    // Made here, so that they are there even where the process is killed before it runs.
+    const std::string out = streams_.write("out", ""), err = streams_.write("err", "");
     process_ = fork();
     if (process_ != 0) return;
     // A test runner in the background may have left SIGINT ignored, which would be inherited.
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     dup2(open("/dev/null", O_RDONLY), 0);
-    dup2(open(out.c_str(), O_WRONLY | O_CREAT, 0600), 1);
-    dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);
+    dup2(open(out.c_str(), O_WRONLY), 1);
+    dup2(open(err.c_str(), O_WRONLY), 2);
     execv(argv[0], argv.data());
     _exit(127);
   }

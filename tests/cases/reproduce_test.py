@@ -15,6 +15,11 @@ SLIGHTLY_WRONG = """#!/bin/sh
 case "$2" in */stiffness.toml) exec "{program}" "$@" ;; esac
 exec "{program}" "$@" --set "loads.0.force=[0,-100000.000001,0]"
 """
+# Only runs through time, and by little more than they may be off.
+RUNS_WRONG = """#!/bin/sh
+if [ "$1" = relax ]; then exec "{program}" "$@" --set "loads.0.force=[0,-100000.0005,0]"; fi
+exec "{program}" "$@"
+"""
 
 
 class Reproduce(unittest.TestCase):
@@ -33,6 +38,14 @@ class Reproduce(unittest.TestCase):
                         "Case 3, all: PBM"):
             self.assertIn(f"MISMATCH {subject}", done.stderr)
         self.assertNotIn("MISMATCH Stiffness", done.stderr)
+
+    def test_notices_explicit_runs_that_end_elsewhere(self):
+        done = self.run_with(RUNS_WRONG.format(program=PROGRAM))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for model in ("TBBM", "EBBM", "PBM"):
+            for run in ("small", "finite"):
+                self.assertIn(f"MISMATCH Explicit: {model}, {run}", done.stderr)
+        self.assertNotIn("MISMATCH Fig", done.stderr)
 
     def test_fails_where_the_program_fails(self):
         done = self.run_with("#!/bin/sh\necho broken >&2\nexit 4\n")

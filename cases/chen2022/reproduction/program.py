@@ -1,6 +1,7 @@
 """Runs bondstatic and reads its tables."""
 import csv
 import io
+import json
 import pathlib
 import subprocess
 import tempfile
@@ -28,8 +29,18 @@ class Program:
         """Rows of particles.csv, all numbers."""
         with tempfile.TemporaryDirectory() as folder:
             self._run("solve", case, "--out", folder, *self._set(settings))
-            with open(pathlib.Path(folder) / "particles.csv", newline="", encoding="utf-8") as table:
-                return [{name: float(text) for name, text in row.items()} for row in csv.DictReader(table)]
+            return self._particles_in(folder)
+
+    def run_to_rest(self, case, settings=()):
+        """The same of an explicit run, and what summary.json says of its load case. One thread: the model is small."""
+        with tempfile.TemporaryDirectory() as folder:
+            summary = self._run("relax", case, "--out", folder, "--threads", "1", "--json", *self._set(settings))
+            return self._particles_in(folder), json.loads(summary)["load_cases"][0]
+
+    @staticmethod
+    def _particles_in(folder):
+        with open(pathlib.Path(folder) / "particles.csv", newline="", encoding="utf-8") as table:
+            return [{name: float(text) for name, text in row.items()} for row in csv.DictReader(table)]
 
     @staticmethod
     def _set(settings):

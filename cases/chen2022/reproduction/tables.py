@@ -1,4 +1,5 @@
-"""Tables 4, 5 and 9 and the errors of cases 3 and 5 as Markdown, the same on the terminal and in the README."""
+"""Tables 4, 5 and 9, explicit runs, and errors of cases 3 and 5 as Markdown, the same on the terminal and in the
+README."""
 import theory
 from bond_stiffness import PRINTED, PRINTED_MODELS
 from cantilevers import MILLI, MODELS, PERCENT, REFERENCE
@@ -41,6 +42,19 @@ def table_4(deflection, checks):
     for m in ("EBBM", "PBM"):
         checks.printed("Table 4", f"DEM of {m}", tip[m], PRINTED_DEM[m])
     header = ["model", "found, mm", "closed form, mm", "paper's DEM, mm", "error found, %", "error of the DEM, %"]
+    return markdown(header, rows)
+
+
+def explicit(data):
+    header = ["model", "static, mm", "run, small, mm", "run, finite, mm", "finite against static", "along, mm",
+              "paper's DEM, mm", "against static"]
+    rows = []
+    for row in data.rows:
+        values = dict(zip(data.columns, row))
+        static, found = values["static"], values["finite"]
+        rows.append([values["model"], number(static), number(values["small"]), number(found),
+                     f"{found / static - 1:+.2e}", f"{values['finite along']:+.4f}", PRINTED_DEM[values["model"]],
+                     f"{float(PRINTED_DEM[values['model']]) / static - 1:+.1e}"])
     return markdown(header, rows)
 
 
