@@ -38,12 +38,12 @@ struct Mode {
 std::vector<Mode> lowest_modes(const BondNetwork& network, const FreeDofs& dofs, const BodyMasses& masses,
                                LinearSolver& factorised, Index count);
 
-/// Upper bound of all frequencies: the highest one to 1e-10, relative. Where the spectrum is too dense
+/// Upper bound of all frequencies: the highest one to `tolerance`, relative. Where the spectrum is too dense
 /// at its end for Lanczos to separate it (long uniform chains), larger by the residual of what was found.
 /// Matrix-free; needs memory for about 30 vectors of unknowns. Zero where nothing is free or nothing resists;
 /// links of bodies that are held still count.
 double highest_frequency(const BondNetwork& network, const FreeDofs& dofs, const BodyMasses& masses,
-                         int threads);
+                         int threads, double tolerance = 1e-10);
 
 /// Largest stable time step of central differences (leapfrog): 2 / highest frequency without dashpots (null).
 /// Dashpots that act with the velocity of the half step before shorten it: the largest dt with

@@ -74,8 +74,9 @@ struct Relaxation {
   std::vector<std::string> warnings;
   double planning_seconds = 0;
   int threads = 1;
+  bool interrupted = false;  ///< the progress hook stopped it
 
-  bool at_rest() const;  ///< all of them
+  bool at_rest() const;  ///< every load case of the model
 };
 
 struct RelaxProgress {

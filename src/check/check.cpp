@@ -52,8 +52,7 @@ Certificate check(const Model& model, const StaticOptions& solve, const RelaxOpt
     RelaxHooks hooks;
     if (progress) hooks.progress = [&](const RelaxProgress& how_far) { return progress(name, &how_far); };
     runs.push_back({load_factor, name, relax(model, at, solve, hooks)});
-    stopped = runs.back().relaxation.cases.size() < model.load_cases.size() ||
-              runs.back().relaxation.cases.back().end == RunEnd::interrupted;
+    stopped = runs.back().relaxation.interrupted;
     return !stopped;
   };
 

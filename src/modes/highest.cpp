@@ -44,10 +44,10 @@ DominantPair highest_pair(const BondNetwork& network, const Incidence& incidence
 }
 
 double highest_frequency(const BondNetwork& network, const FreeDofs& dofs, const BodyMasses& masses,
-                         int threads) {
+                         int threads, double tolerance) {
   if (dofs.unknowns() == 0) return 0;
   const DominantPair pair =
-      highest_pair(network, link_incidence(network), dofs, mass_roots(masses, dofs), threads);
+      highest_pair(network, link_incidence(network), dofs, mass_roots(masses, dofs), threads, tolerance);
   return std::sqrt(pair.value + pair.residual);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bondstatic/error.hpp"
+#include "dynamics/bond_pack.hpp"
 #include "io/archive.hpp"
 
 namespace bondstatic {
@@ -29,9 +30,9 @@ std::uint64_t fingerprint_of(const Model& model, std::span<const BondProperties>
   for (std::size_t k = 0; k < model.bonds.size(); ++k) {
     const Bond& bond = model.bonds[k];
     const SectionStiffness& c = properties[k].stiffness;
-    const double share = properties[k].fraction;
-    f(bond.id, bond.a, bond.b, bond.branch, c.kn, c.ks, c.kt, c.kb, c.coupling, share,
-      properties[k].moments_fed_back);
+    const double share = properties[k].fraction, stretch = stretch_share(model, bond, share);
+    f(bond.id, bond.a, bond.b, bond.branch, c.kn, c.ks, c.kt, c.kb, c.coupling, share, stretch,
+      properties[k].radius, properties[k].moments_fed_back);
   }
   for (const Support& s : model.supports) f(s.particle, s.fixed, s.value, s.load_case);
   for (const Load& l : model.loads) f(l.particle, l.force, l.load_case);

@@ -18,6 +18,9 @@ namespace {
 
 constexpr Index modes_told = 5;
 
+/// Far below the digits that a time step keeps; the frequency is an upper bound in any case.
+constexpr double frequency_tolerance = 1e-6;
+
 /// Where particle_damping_decay(gamma) / sqrt(1 + gamma), the decay in a step, is largest.
 constexpr double best_gamma = 0.856;
 
@@ -30,16 +33,14 @@ double rounded_down(double value) {
 
 /// Particle damping adds up to gamma times the force that stops a particle, so that at worst the model is
 /// stiffer, and its dashpots stronger, by 1 + gamma.
-double step_with_particle_damping(BondNetwork stiffness, const BondNetwork* dashpots, const FreeDofs& dofs,
-                                  const BodyMasses& masses, double gamma, int threads) {
-  if (!dashpots) return critical_time_step(stiffness, nullptr, dofs, masses, threads) / std::sqrt(1 + gamma);
-  BondNetwork damping = *dashpots;
-  for (BondNetwork* network : {&stiffness, &damping})
+double step_with_dashpots(BondNetwork stiffness, BondNetwork dashpots, const FreeDofs& dofs,
+                          const BodyMasses& masses, double gamma, int threads) {
+  for (BondNetwork* network : {&stiffness, &dashpots})
     for (Link& link : network->links)
       for (double* k : {&link.stiffness.kn, &link.stiffness.ks, &link.stiffness.kt, &link.stiffness.kb,
                         &link.stiffness.coupling})
         *k *= 1 + gamma;
-  return critical_time_step(stiffness, &damping, dofs, masses, threads);
+  return critical_time_step(stiffness, &dashpots, dofs, masses, threads);
 }
 
 BondNetwork dashpot_network(const PlanInput& input, const BondDamping& damping) {
@@ -127,10 +128,10 @@ DynamicPlan plan_run(const PlanInput& input, const RelaxOptions& options, const 
   if (options.bond_damping.any()) damping = dashpot_network(input, options.bond_damping);
   const bool viscous = options.bond_damping.any();
 
-  plan.highest = highest_frequency(input.network, dofs, masses, threads);
+  plan.highest = highest_frequency(input.network, dofs, masses, threads, frequency_tolerance);
   const auto critical = [&](double gamma) {
-    return step_with_particle_damping(input.network, viscous ? &damping : nullptr, dofs, masses, gamma,
-                                      threads);
+    return viscous ? step_with_dashpots(input.network, damping, dofs, masses, gamma, threads)
+                   : 2 / (plan.highest * std::sqrt(1 + gamma));
   };
   plan.critical_time_step = critical(options.particle_damping);
   plan.time_step =

@@ -65,8 +65,8 @@ std::vector<Setup> set_up(const Model& model, const BondNetwork& network, Unsupp
 }  // namespace
 
 bool Relaxation::at_rest() const {
-  return std::all_of(cases.begin(), cases.end(),
-                     [](const RelaxedCase& c) { return c.end == RunEnd::at_rest; });
+  return !interrupted && std::all_of(cases.begin(), cases.end(),
+                                     [](const RelaxedCase& c) { return c.end == RunEnd::at_rest; });
 }
 
 Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOptions& solve,
@@ -120,7 +120,10 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
     // Energy, work and reactions of a state of rest; of an interrupted one they are what they are.
     relaxation.cases.push_back(run.result());
   }
-  if (!go_on || !relaxation.at_rest()) keep();
+  relaxation.interrupted = relaxation.cases.size() < setups.size() ||
+                           std::any_of(relaxation.cases.begin(), relaxation.cases.end(),
+                                       [](const RelaxedCase& c) { return c.end == RunEnd::interrupted; });
+  if (!relaxation.at_rest()) keep();
   return relaxation;
 }
 

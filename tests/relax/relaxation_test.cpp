@@ -142,6 +142,17 @@ TEST(Relaxation, TurningPointIsNotRest) {
   }
 }
 
+TEST(Relaxation, IsNotAtRestBeforeItsLoadsAreFull) {
+  RelaxOptions options = small_kinematics();
+  options.ramp_time = 2;
+  options.hold_time = 0.5;
+  options.velocity_limit = options.force_limit = 1e9;  // calm from the first look
+  const RelaxedCase found = relaxed(loaded_cantilever(), options);
+  EXPECT_EQ(found.end, RunEnd::at_rest);
+  EXPECT_GE(found.time, 2.5);
+  EXPECT_LT(found.time, 2.5 + 3 * options.hold_time / 16);  // looks are so far apart
+}
+
 TEST(Relaxation, BothLimitsHoldForTheHoldTime) {
   RelaxOptions options = small_kinematics();
   options.hold_time = 0.5;
