@@ -3,12 +3,10 @@
 #include <chrono>
 
 #include "app/commands.hpp"
-#include "app/interrupt.hpp"
 #include "app/relax_report.hpp"
 #include "app/run_case.hpp"
+#include "app/single_file.hpp"
 #include "app/terminal.hpp"
-#include "io/file_set.hpp"
-#include "io/stale_staging.hpp"
 
 namespace bondstatic {
 
@@ -16,22 +14,11 @@ namespace {
 
 constexpr const char* certificate_file = "certificate.json";
 
-void write_certificate(const std::string& folder, const std::string& json) {
-  const DeferredInterrupts guard;
-  FileSet files(folder, DeferredInterrupts::check);
-  files.supersede({certificate_file});
-  files.create(certificate_file).append(json);
-  files.commit();
-}
-
 }  // namespace
 
 ExitCode check(const SolveArguments& arguments) {
   const Case given = read_case(arguments, arguments.overrides, Purpose::dynamics);
-  if (!arguments.folder.empty()) {
-    sweep_stale_staging(arguments.folder);
-    check_writable(arguments.folder, {certificate_file}, {certificate_file});
-  }
+  if (!arguments.folder.empty()) check_single_file(arguments.folder, certificate_file);
   StatusLine status;
   auto last = std::chrono::steady_clock::time_point{};
   const Certificate certificate =
@@ -45,7 +32,7 @@ ExitCode check(const SolveArguments& arguments) {
   status.clear();
   const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
   const std::string json = certificate_json(given.model, run, certificate);
-  if (!arguments.folder.empty()) write_certificate(arguments.folder, json);
+  if (!arguments.folder.empty()) write_single_file(arguments.folder, certificate_file, json);
   fmt::print("{}", arguments.json ? json : certificate_report(given, certificate));
   return certificate.agrees() ? ExitCode::done : ExitCode::not_accurate;
 }

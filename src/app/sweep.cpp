@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "app/commands.hpp"
-#include "app/interrupt.hpp"
 #include "app/run_case.hpp"
+#include "app/single_file.hpp"
 #include "app/terminal.hpp"
 #include "app/vary.hpp"
 #include "io/csv_writer.hpp"
-#include "io/file_set.hpp"
 
 namespace bondstatic {
 
@@ -100,14 +99,6 @@ std::string table_of(const std::vector<std::string>& keys,
   return text;
 }
 
-void write_table(const std::string& folder, const std::string& table) {
-  const DeferredInterrupts guard;
-  FileSet files(folder, DeferredInterrupts::check);
-  files.supersede({table_name});
-  files.create(table_name).append(table);
-  files.commit();
-}
-
 }  // namespace
 
 ExitCode sweep(const SweepArguments& arguments) {
@@ -124,7 +115,7 @@ ExitCode sweep(const SweepArguments& arguments) {
   }
   const auto points = grid_points(variations);
   const std::string& folder = arguments.solve.folder;
-  if (!folder.empty()) check_writable(folder, {table_name}, {table_name});
+  if (!folder.empty()) check_single_file(folder, table_name);
 
   StatusLine status;
   std::vector<Outcome> outcomes;
@@ -151,7 +142,7 @@ ExitCode sweep(const SweepArguments& arguments) {
   if (folder.empty()) {
     fmt::print("{}", table);
   } else {
-    write_table(folder, table);
+    write_single_file(folder, table_name, table);
     fmt::print("{}\n", (std::filesystem::path(folder) / table_name).string());
   }
   return worst;
