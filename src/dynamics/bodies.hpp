@@ -65,7 +65,7 @@ inline double first_particle_damping(double gamma, double force, double velocity
 
 /// Bodies are worked on in blocks of a fixed size, so that sums do not depend on the number of threads. Whole
 /// bodies and whole chunks of pack_size.
-inline constexpr Index dofs_a_block = 512 * 6;
+inline constexpr Index dofs_a_block = 128 * 6;
 
 /// One step of the bodies of a block: velocities half a step on, positions a step on; forces are used up and
 /// zero again.

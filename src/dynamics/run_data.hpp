@@ -33,6 +33,11 @@ struct EndsOfBody {
 };
 EndsOfBody ends_of_bodies(const std::vector<BondPack>& packs, Index bodies);
 
+/// What the blocks of bodies and of packs did in a step.
+struct BlockSums {
+  std::vector<StepSums> bodies, packs;
+};
+
 struct ExplicitRun::Data {
   const Model* model = nullptr;
   std::vector<BondProperties> properties;
@@ -59,6 +64,7 @@ struct ExplicitRun::Data {
   void begin();  ///< from step 0: velocities back by half a step
   StepSums move_block(Index block, const Loading& now);
   StepSums advance_block(Index block, EndForces* kept);
+  void add_up(const BlockSums& sums);
   void one_step();
   void carry(Archive& archive);  ///< everything that changes, out or in
   void steps_on_threads(Index steps);

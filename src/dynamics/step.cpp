@@ -10,7 +10,7 @@ namespace bondstatic {
 namespace {
 
 // Sums over blocks of a fixed size, added up in order, do not depend on who worked on which block.
-constexpr Index packs_a_block = 64;
+constexpr Index packs_a_block = 16;
 
 Index blocks_of(Index count, Index size) {
   return (count + size - 1) / size;
@@ -124,6 +124,14 @@ void ExplicitRun::Data::one_step() {
   ++step;
 }
 
+void ExplicitRun::Data::add_up(const BlockSums& sums) {
+  for (const StepSums& of_bodies : sums.bodies) {
+    work.add(of_bodies.work);
+    dissipated.add(of_bodies.dissipated);
+  }
+  for (const StepSums& of_packs : sums.packs) dissipated.add(of_packs.dissipated);
+}
+
 void ExplicitRun::Data::steps_on_threads(Index steps) {
   const Index body_blocks = blocks_of(Index(bodies.motion.size()), dofs_a_block);
   const Index pack_blocks = blocks_of(Index(packs.size()), packs_a_block);
@@ -131,29 +139,36 @@ void ExplicitRun::Data::steps_on_threads(Index steps) {
     ends.resize(packs.size());
     ends_of_body = ends_of_bodies(packs, bodies.count);
   }
-  std::vector<StepSums> of_bodies(static_cast<std::size_t>(body_blocks)),
-      of_packs(static_cast<std::size_t>(pack_blocks));
-#pragma omp parallel num_threads(options.threads)
-  for (Index n = 0; n < steps; ++n) {
-    const Loading now = loading();
-#pragma omp for schedule(static)
-    for (Index block = 0; block < body_blocks; ++block)
-      of_bodies[std::size_t(block)] = move_block(block, now);
-#pragma omp for schedule(static)
-    for (Index block = 0; block < pack_blocks; ++block)
-      of_packs[std::size_t(block)] = advance_block(block, ends.data());
-#pragma omp for schedule(static)
-    for (Index body = 0; body < bodies.count; ++body) gather(ends_of_body, ends, body, bodies);
-#pragma omp single
-    {
-      for (const StepSums& sums : of_bodies) {
-        work.add(sums.work);
-        dissipated.add(sums.dissipated);
-      }
-      for (const StepSums& sums : of_packs) dissipated.add(sums.dissipated);
-      ++step;
-    }
+  const auto gather_block = [this](Index block) {
+    const Index first = block * (dofs_a_block / 6), last = std::min(bodies.count, first + dofs_a_block / 6);
+    for (Index body = first; body < last; ++body) gather(ends_of_body, ends, body, bodies);
+  };
+  // Two of them: one is added up while the next step fills the other.
+  BlockSums sums[2];
+  for (BlockSums& one : sums) {
+    one.bodies.resize(static_cast<std::size_t>(body_blocks));
+    one.packs.resize(static_cast<std::size_t>(pack_blocks));
   }
+#pragma omp parallel num_threads(options.threads)
+  {
+    for (Index n = 0; n < steps; ++n) {
+      const Loading now{factor_at(step + n), factor_at(step + n + 1)};
+      BlockSums& here = sums[n % 2];
+#pragma omp for schedule(static)
+      for (Index block = 0; block < body_blocks; ++block) {
+        if (n > 0) gather_block(block);
+        here.bodies[std::size_t(block)] = move_block(block, now);
+      }
+#pragma omp for schedule(static)
+      for (Index block = 0; block < pack_blocks; ++block)
+        here.packs[std::size_t(block)] = advance_block(block, ends.data());
+#pragma omp master
+      add_up(here);
+    }
+#pragma omp for schedule(static)
+    for (Index block = 0; block < body_blocks; ++block) gather_block(block);
+  }
+  step += steps;
 }
 
 }  // namespace bondstatic

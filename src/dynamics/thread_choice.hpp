@@ -14,10 +14,12 @@ class ThreadChoice {
   /// Runs so many steps by `work(steps, together)`.
   template <class Work>
   void operator()(Index steps, Work work) {
-    constexpr Index trial = 3, calls_between_trials = 64;
-    if (calls_++ % calls_between_trials == 0 && steps > 2 * trial) {
+    // Threads take a few steps to get up; what they then need is what counts.
+    constexpr Index warm_up = 2, trial = 4, calls_between_trials = 64;
+    if (calls_++ % calls_between_trials == 0 && steps > 2 * (warm_up + trial)) {
+      work(warm_up, !together_);
       timed(trial, !together_, work);
-      steps -= trial;
+      steps -= warm_up + trial;
     }
     timed(steps, together_, work);
     if (cost_[!together_] < 0.9 * cost_[together_]) together_ = !together_;
