@@ -18,14 +18,14 @@ struct RelaxOptions {
   double particle_damping = 0.7;
   BondDamping bond_damping;
   double time_step = 0;  ///< 0: safety times the critical one
-  double safety = 0.8;   ///< below 1
+  double safety = 0.8;   ///< of the critical one; at 1 and beyond a run may blow up
   Ramp ramp = Ramp::linear;
   double ramp_time = not_given;  ///< NaN: one period of the lowest frequency, 0: at once
   double velocity_limit = 1e-9;  ///< on the fastest particle, in the model's units ([Chen2022]: 1e-9 m/s)
   double force_limit = 1e-8;     ///< on the unbalanced force over the loads
   double hold_time = not_given;  ///< both limits hold for so long; NaN: one period of the lowest frequency
   Index max_steps = 1'000'000'000;
-  double record_interval = not_given;  ///< between rows of the history; NaN: a tenth of the hold time
+  double record_interval = not_given;  ///< between rows of the history; NaN: a sixteenth of the hold time
   double load_factor = 1;              ///< times all loads and prescribed motions
   double check_tolerance = 1e-6;       ///< on the differences that the certificate compares
 };

@@ -18,7 +18,6 @@ ExplicitRun::ExplicitRun(const Model& model, std::span<const BondProperties> pro
                          const std::vector<bool>& left_out, const DynamicOptions& options)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
-  d.model = &model;
   d.properties.assign(properties.begin(), properties.end());
   d.options = options;
   d.name = model.load_cases.at(std::size_t(load_case));

@@ -39,7 +39,6 @@ struct BlockSums {
 };
 
 struct ExplicitRun::Data {
-  const Model* model = nullptr;
   std::vector<BondProperties> properties;
   std::vector<Index> bond_of_lane;
   Boundary boundary;

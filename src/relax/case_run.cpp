@@ -40,8 +40,7 @@ DynamicOptions dynamic_options(const DynamicPlan& plan, const RelaxOptions& opti
 CaseRun::CaseRun(const Model& model, std::span<const BondProperties> properties, Index load_case,
                  const std::vector<bool>& left_out, const DynamicPlan& plan, const RelaxOptions& options,
                  int threads)
-    : model_(&model),
-      plan_(plan),
+    : plan_(plan),
       options_(options),
       run_(model, properties, load_case, left_out, dynamic_options(plan, options, threads)),
       stretch_(stretch_between_looks(plan, options)),

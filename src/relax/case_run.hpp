@@ -30,7 +30,6 @@ class CaseRun {
   void look(const std::function<Probes(const State&)>& probe);
   void check_for_blow_up(const Energies& energies);
 
-  const Model* model_;
   DynamicPlan plan_;
   RelaxOptions options_;
   ExplicitRun run_;
