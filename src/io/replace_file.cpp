@@ -106,7 +106,7 @@ fs::path destination(const fs::path& path) {
 
 }  // namespace
 
-void replace_file(const fs::path& path, std::string_view content) {
+void replace_file(const fs::path& path, std::string_view content, UnnamedFiles unnamed_files) {
   const fs::path target = destination(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const std::string hidden = "." + target.filename().string();
@@ -116,7 +116,7 @@ void replace_file(const fs::path& path, std::string_view content) {
 
   // What fails for a reason of its own, such as a folder that is not there, fails again with a name, and is
   // reported then.
-  const bool unnamed = write_unnamed(whole, content, path);
+  const bool unnamed = unnamed_files == UnnamedFiles::where_known && write_unnamed(whole, content, path);
   if (!unnamed) write_named(part, content, path);
   const fs::path& written = unnamed ? whole : part;
   if (::rename(written.c_str(), target.c_str()) != 0) {
