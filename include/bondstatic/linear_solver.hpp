@@ -1,5 +1,5 @@
-// The contract of a linear solver: analyse the pattern, factorise the values, solve. A backend is one file;
-// the unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix
+// The contract of a linear solver: analyse the pattern, factorise the values (or set up a preconditioner from
+// them), solve. A backend is one file or one folder; the unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix
 // is well scaled in any unit system.
 #pragma once
 
@@ -29,6 +29,14 @@ struct FactorReport {
   Index broken_at = -1;
 };
 
+/// What the last solve() of an iterative solver did, worst column.
+struct SolveReport {
+  int iterations = 0;
+  double reduction = 0;  ///< |residual| after over before, 2-norm
+  bool reached = true;   ///< false where it gave up: what it returns may still be a step forward
+  std::string note;      ///< what a user should hear, such as a change of precision; "" for nothing
+};
+
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
@@ -39,8 +47,13 @@ class LinearSolver {
   /// Assemble and factorise; the pattern is that of the last analyse(), the stiffness may have changed.
   virtual FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) = 0;
 
-  /// Solve for all columns at once; rows are unknowns.
+  /// Solve for all columns at once; rows are unknowns. An iterative solver stops where it has reduced the
+  /// residual by several decades; the caller forms the true residual and comes back with it, so a solve that
+  /// stops early or says too much costs time, never accuracy.
   virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) = 0;
+
+  virtual bool iterative() const { return false; }
+  virtual SolveReport last_solve() const { return {}; }
 };
 
 struct SolverInfo {
@@ -52,7 +65,9 @@ struct SolverInfo {
 std::vector<SolverInfo> available_solvers();
 
 /// `name` from available_solvers(), or "auto" for the first. `threads` holds for everything the solver runs,
-/// BLAS included. Throws Error (invalid_input) that lists the names of this build for an unknown one.
-std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads);
+/// BLAS included; `backend_options` are handed on to a backend that takes its own (PETSc). Throws Error
+/// (invalid_input) that lists the names of this build for an unknown one, and for options that nobody takes.
+std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads,
+                                          const std::vector<std::string>& backend_options = {});
 
 }  // namespace bondstatic

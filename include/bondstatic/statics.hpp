@@ -16,6 +16,7 @@ enum class Unsupported { error, drop };
 
 struct StaticOptions {
   std::string solver = "auto";
+  std::vector<std::string> backend_options;  ///< handed on to the solver's own library (PETSc)
   int threads = 0;           ///< at most; 0: the cores at hand
   bool yield_cores = true;   ///< fewer threads where other processes keep cores busy; the answer is the same
   double tolerance = 1e-12;  ///< on the backward error

@@ -34,10 +34,17 @@ std::vector<SolverInfo> available_solvers() {
   return list;
 }
 
-std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads) {
+std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads,
+                                          const std::vector<std::string>& backend_options) {
   std::vector<std::string> names{"auto"};
   for (const Backend& backend : backends()) {
-    if (name == backend.info.name || name == "auto") return backend.make(threads);
+    if (name == backend.info.name || name == "auto") {
+      if (!backend_options.empty())
+        throw Error(ExitCode::invalid_input,
+                    fmt::format("solver \"{}\" takes no options of its own, found {}\n    cure: leave them out",
+                                backend.info.name, fmt::join(backend_options, " ")));
+      return backend.make(threads);
+    }
     names.push_back(backend.info.name);
   }
   throw Error(ExitCode::invalid_input,

@@ -84,7 +84,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   std::vector<Group> groups = group_by_supports(boundaries);
   solution.cases.resize(boundaries.size());
 
-  const auto solver = make_solver(options.solver, report.threads);
+  const auto solver = make_solver(options.solver, report.threads, options.backend_options);
   for (Group& group : groups) {
     // 3. Motions that cost no energy never reach the solver.
     const auto& free = boundaries[group.cases.front()].free;
