@@ -100,6 +100,7 @@ BondSite bond_site(const Model& model, const Bond& bond);
 
 /// Properties of every bond of the model, in its order. Throws InputError (place: none) that names bond and
 /// particle ids where a law forbids a site or its stiffness is not finite, positive semi-definite.
-std::vector<BondProperties> bond_properties(const Model& model);
+/// Laws are evaluated by several threads at once; nothing but the time depends on `threads`.
+std::vector<BondProperties> bond_properties(const Model& model, int threads = 1);
 
 }  // namespace bondstatic

@@ -31,8 +31,9 @@ struct Case {
 
 /// `overrides` are KEY=VALUE ("bonds.0.young=70e9"; the value as in TOML, a bare word is a string) applied
 /// before reading. Throws InputError with every fault found. Paths in `resolved` are written relative to
-/// `resolved_folder` where that is not empty.
+/// `resolved_folder` where that is not empty. At most `threads` read it, nor more than the case allows its
+/// solve; nothing but the time depends on them.
 Case read_case(const std::string& file, const std::vector<std::string>& overrides = {},
-               const std::string& resolved_folder = "", Purpose purpose = Purpose::statics);
+               const std::string& resolved_folder = "", Purpose purpose = Purpose::statics, int threads = 1);
 
 }  // namespace bondstatic

@@ -44,11 +44,14 @@ std::string summary_json(const Model& model, const RunInfo& run, const StaticSol
 void check_result_folder(const Model& model, const std::string& folder);
 
 /// Writes all files, whole or not at all: after any error the folder is as it was. Replaces the results of an
-/// earlier run, never another file. `checkpoint` is called between pieces of work and may throw to give up.
-/// Throws Error that names the path.
+/// earlier run, never another file. `checkpoint` is called between pieces of work and may throw to give up;
+/// `progress` hears there which part of the whole is written, about. Both may be called by other threads than
+/// the caller's, one at a time. Files are formatted on solution.report.threads threads, and do not depend on
+/// their number. Throws Error that names the path.
 void write_results(const Model& model, const RunInfo& run, const StaticSolution& solution,
                    const std::vector<OutputValue>& outputs, const std::string& folder,
-                   const std::function<void()>& checkpoint = {});
+                   const std::function<void()>& checkpoint = {},
+                   const std::function<void(double)>& progress = {});
 
 /// The same for a run to rest, with history.csv beside the tables of each load case. Where it is at rest a
 /// checkpoint that lies in the folder has served and goes.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "bond/contact_point.hpp"
@@ -57,15 +59,14 @@ BlockPlan plan(const BondBlock& block, std::size_t number, std::vector<Fault>& f
 
 /// The parameters of the k-th bond of a block with overrides. What a bond says of itself beats what its block
 /// says in other words (`radius` a `radius_factor`).
-std::vector<double> own_parameters(const BlockPlan& plan, std::size_t k) {
-  std::vector<double> values = plan.values;
+void own_parameters(const BlockPlan& plan, std::size_t k, std::vector<double>& values) {
+  values = plan.values;
   const auto own = [&](const BlockPlan::Override& o) { return (*o.values).at(k); };
   for (const BlockPlan::Override& o : plan.overrides)
     if (!std::isnan(own(o)))
       for (const std::size_t p : o.rules_out) values[p] = not_given;
   for (const BlockPlan::Override& o : plan.overrides)
     if (!std::isnan(own(o))) values.at(o.parameter) = own(o);
-  return values;
 }
 
 /// Finite, positive along the axis, positive semi-definite (see SectionStiffness); NaN fails every
@@ -112,6 +113,43 @@ Fault bond_fault(const Model& model, const Bond& bond, const BondLaw& law, const
           split == std::string::npos ? "see `bondstatic laws`" : text.substr(split + 2)};
 }
 
+/// What is wrong with some of the bonds.
+struct Findings {
+  std::vector<Fault> faults;
+  std::size_t unsaid = 0;      ///< faults beyond those
+  std::exception_ptr failure;  ///< what a law threw: it must not leave its thread
+};
+
+/// Bonds [begin, end) into `out`.
+void evaluate(const Model& model, const std::vector<BlockPlan>& plans, Index begin, Index end,
+              std::vector<BondProperties>& out, Findings& findings) try {
+  std::vector<std::string> found;
+  std::vector<double> values;
+  for (Index k = begin; k < end; ++k) {
+    const Bond& bond = model.bonds[std::size_t(k)];
+    const BlockPlan& plan = plans.at(std::size_t(bond.block));
+    if (!plan.law) continue;
+    const BondSite site = bond_site(model, bond);
+    found.clear();
+    BondProperties& own = out[std::size_t(k)];
+    if (plan.overrides.empty()) {
+      found.push_back(evaluate(plan, site, plan.values, own));
+    } else {
+      own_parameters(plan, std::size_t(bond.in_block), values);
+      if (complete(plan.rules, values, found)) found.push_back(evaluate(plan, site, values, own));
+    }
+    for (const std::string& text : found) {
+      if (text.empty()) continue;
+      if (findings.faults.size() < most_faults)
+        findings.faults.push_back(bond_fault(model, bond, *plan.law, text));
+      else
+        ++findings.unsaid;
+    }
+  }
+} catch (...) {
+  findings.failure = std::current_exception();
+}
+
 }  // namespace
 
 BondSite bond_site(const Model& model, const Bond& bond) {
@@ -120,32 +158,29 @@ BondSite bond_site(const Model& model, const Bond& bond) {
   return {bond.branch.norm(), a.radius, b.radius, a.id, b.id};
 }
 
-std::vector<BondProperties> bond_properties(const Model& model) {
+std::vector<BondProperties> bond_properties(const Model& model, int threads) {
   std::vector<Fault> faults;
   std::vector<BlockPlan> plans;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) plans.push_back(plan(model.blocks[b], b, faults));
 
+  constexpr Index piece = 1 << 14;  // bonds that one thread takes at a time
+  const Index bonds = Index(model.bonds.size()), pieces = (bonds + piece - 1) / piece;
   std::vector<BondProperties> out(model.bonds.size());
+  std::vector<Findings> findings(static_cast<std::size_t>(pieces));
+  threads = int(std::clamp<Index>(pieces, 1, std::max(1, threads)));
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
+  for (Index i = 0; i < pieces; ++i)
+    evaluate(model, plans, i * piece, std::min(bonds, (i + 1) * piece), out, findings[std::size_t(i)]);
+
   std::size_t unsaid = 0;
-  for (std::size_t k = 0; k < model.bonds.size(); ++k) {
-    const Bond& bond = model.bonds[k];
-    const BlockPlan& plan = plans.at(std::size_t(bond.block));
-    if (!plan.law) continue;
-    const BondSite site = bond_site(model, bond);
-    std::vector<std::string> found;
-    if (plan.overrides.empty()) {
-      found.push_back(evaluate(plan, site, plan.values, out[k]));
-    } else {
-      std::vector<double> values = own_parameters(plan, std::size_t(bond.in_block));
-      if (complete(plan.rules, values, found)) found.push_back(evaluate(plan, site, values, out[k]));
-    }
-    for (const std::string& text : found) {
-      if (text.empty()) continue;
+  for (Findings& found : findings) {
+    unsaid += found.unsaid;
+    for (Fault& fault : found.faults)
       if (faults.size() < most_faults)
-        faults.push_back(bond_fault(model, bond, *plan.law, text));
+        faults.push_back(std::move(fault));
       else
         ++unsaid;
-    }
+    if (found.failure) std::rethrow_exception(found.failure);
   }
   if (unsaid > 0)
     faults.push_back({{}, fmt::format("and {} more faults of this kind in other bonds", unsaid), "as above"});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bond/parameters.hpp"
 #include "case/bond_parameters.hpp"
 #include "io/nearest_name.hpp"
 #include "io/table.hpp"
@@ -21,9 +22,8 @@ std::vector<Index> read_ends(Draft& draft, const Table& table, int column) {
   std::vector<Index> ends = table.whole_numbers(column, draft.reading.faults);
   int unknown = 0;
   for (std::size_t row = 0; row < ends.size() && draft.particles_known; ++row) {
-    const auto found = draft.particle_of_id.find(ends[row]);
-    if (found != draft.particle_of_id.end())
-      ends[row] = found->second;
+    if (const Index* found = draft.particle_of_id.position_of(ends[row]))
+      ends[row] = *found;
     else if (++unknown <= most_faults)
       draft.reading.fault(table.place(Index(row), column), fmt::format("there is no particle {}", ends[row]),
                           "columns a and b hold particle ids");
@@ -65,25 +65,21 @@ std::map<std::size_t, int> parameter_columns(Draft& draft, const Table& table, c
 /// thing in the block (`radius` a `radius_factor`).
 void check_rows(Draft& draft, const Table& table, const BondLaw& law, const std::vector<double>& given,
                 const std::map<std::size_t, int>& columns, const BondRows& rows) {
+  const ParameterRules rules = parameter_rules(law);
+  std::map<std::size_t, std::vector<std::size_t>> ruled_out;
+  for (const auto& column : columns) ruled_out[column.first] = rules.ruled_out_by(column.first);
   int faulty = 0;
   for (Index row = 0; row < table.rows() && faulty < most_faults; ++row) {
     std::vector<double> values = given;
+    values.resize(law.parameters.size(), not_given);
     const auto own = [&](std::size_t p) { return rows.overrides.at(p)[std::size_t(row)]; };
-    for (const Alternatives& ways : law.alternatives)
-      for (const Names& way : ways) {
-        const bool chosen = std::any_of(way.begin(), way.end(), [&](const std::string& name) {
-          const auto p = std::size_t(law.find(name));
-          return columns.count(p) && !std::isnan(own(p));
-        });
-        if (!chosen) continue;
-        for (const Names& other : ways)
-          if (&other != &way)
-            for (const std::string& name : other) values[std::size_t(law.find(name))] = not_given;
-      }
+    for (const auto& column : columns)
+      if (!std::isnan(own(column.first)))
+        for (const std::size_t p : ruled_out.at(column.first)) values[p] = not_given;
     for (const auto& [p, column] : columns)
       if (!std::isnan(own(p))) values[p] = own(p);
     std::vector<std::string> complaints;
-    complete_parameters(law, values, complaints);
+    complete(rules, values, complaints);
     for (const std::string& text : complaints) {
       const Complaint complaint = explain(law, text);
       const auto column = columns.find(std::size_t(law.find(complaint.parameter)));
@@ -91,6 +87,7 @@ void check_rows(Draft& draft, const Table& table, const BondLaw& law, const std:
                           complaint.cure);
     }
     faulty += !complaints.empty();
+    if (columns.empty() && complaints.empty()) return;  // all rows are alike
   }
 }
 
@@ -102,7 +99,7 @@ std::optional<BondRows> read_bond_file(Draft& draft, TableReader& block, const B
   const std::size_t before = faults.size();
   const auto path = block.path("file");
   if (!path) return std::nullopt;
-  const auto table = read_table(*path, block.place_of("file"), faults);
+  const auto table = read_table(*path, block.place_of("file"), faults, draft.reading.threads);
   if (!table) return std::nullopt;
   const int id = table->find(Names{"id", "bond_id"}, faults);
   const int a = table->find(Names{"a", "id_a", "id1", "particle_a"}, faults);
@@ -120,7 +117,7 @@ std::optional<BondRows> read_bond_file(Draft& draft, TableReader& block, const B
   if (id >= 0) rows.ids = table->whole_numbers(id, faults);
   for (const auto& [parameter, column] : columns)
     rows.overrides[parameter] = table->numbers(column, true, faults);
-  for (Index row = 0; row < table->rows(); ++row) rows.places.push_back(table->place(row, 0));
+  rows.places = RowPlaces(*table, 0);
   if (faults.size() == before) check_rows(draft, *table, law, given, columns, rows);
   for (std::size_t row = 0; row < rows.a.size() && faults.size() == before; ++row)
     if (rows.a[row] == rows.b[row])

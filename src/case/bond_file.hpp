@@ -7,6 +7,7 @@
 
 #include "bondstatic/bond_law.hpp"
 #include "case/draft.hpp"
+#include "case/row_places.hpp"
 #include "case/table_reader.hpp"
 
 namespace bondstatic {
@@ -14,7 +15,7 @@ namespace bondstatic {
 struct BondRows {
   std::vector<Index> a, b;  ///< model positions
   std::vector<Index> ids;   ///< empty where there is no such column
-  std::vector<Place> places;
+  RowPlaces places;
   std::map<std::size_t, std::vector<double>> overrides;  ///< as in BondBlock
 };
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_set>
+#include <optional>
 
 #include "case/bond_file.hpp"
 #include "case/bond_parameters.hpp"
+#include "case/pair_set.hpp"
 #include "case/selector.hpp"
 #include "model/bond_formation.hpp"
 
@@ -71,44 +72,43 @@ std::optional<PositionLists> read_between(Draft& draft, TableReader& block, bool
   return PositionLists{*first, *second};
 }
 
-struct Pairs {
-  std::unordered_set<Index> keys;
-  Index particles = 0;
-
-  /// False where the pair is there already.
-  bool add(Index a, Index b) { return keys.insert(std::min(a, b) * particles + std::max(a, b)).second; }
-};
-
 /// Adds the block's bonds to the model.
 class BondAdder {
  public:
-  BondAdder(Draft& draft, std::string existing, int most_faults)
+  /// `expected`: how many bonds the block asks for; `pairs_differ`: none of them twice.
+  BondAdder(Draft& draft, std::string existing, int most_faults, std::size_t expected, bool pairs_differ)
       : draft_(draft),
         existing_(std::move(existing)),
         faults_(draft.reading.faults.size()),
         most_faults_(most_faults) {
-    for (const auto& bond : draft.bond_of_id) next_id_ = std::max(next_id_, bond.first + 1);
-    pairs_.particles = Index(draft.model.particles.size());
-    for (const Bond& bond : draft.model.bonds) pairs_.add(bond.a, bond.b);
+    std::vector<Bond>& bonds = draft.model.bonds;
+    for (const Bond& bond : bonds) next_id_ = std::max(next_id_, bond.id + 1);
+    if (!pairs_differ || !bonds.empty()) {
+      pairs_.emplace(Index(draft.model.particles.size()), Index(bonds.size() + expected));
+      for (const Bond& bond : bonds) pairs_->add(bond.a, bond.b);
+    }
+    bonds.reserve(bonds.size() + expected);
+    draft.bond_of_id.expect(Index(expected));
   }
 
-  /// `id` -1: the next one. False where the bond is left out.
-  bool add(Index a, Index b, Index id, const Place& place) {
-    if (!pairs_.add(a, b) && existing_ != "add") {
+  /// `id` -1: the next one; `place()`: where it is asked for. False where the bond is left out.
+  template <class PlaceOf>
+  bool add(Index a, Index b, Index id, PlaceOf place) {
+    if (pairs_ && !pairs_->add(a, b) && existing_ != "add") {
       if (existing_ == "error")
-        fault(place, fmt::format("particles {} and {} are bonded already", id_of(a), id_of(b)),
+        fault(place(), fmt::format("particles {} and {} are bonded already", id_of(a), id_of(b)),
               "write existing = \"skip\" to leave such pairs alone, or \"add\" for parallel bonds");
       return false;
     }
     const Vector3 branch =
         draft_.model.particles[std::size_t(b)].position - draft_.model.particles[std::size_t(a)].position;
     if (branch.isZero(0))
-      fault(place, fmt::format("particles {} and {}, to be bonded, lie in one point", id_of(a), id_of(b)),
+      fault(place(), fmt::format("particles {} and {}, to be bonded, lie in one point", id_of(a), id_of(b)),
             "move or remove one of them");
     if (id < 0) id = next_id_;
     next_id_ = std::max(next_id_, id + 1);
-    if (!draft_.bond_of_id.emplace(id, Index(draft_.model.bonds.size())).second)
-      fault(place, fmt::format("bond id {} is there twice", id), "give every bond an id of its own");
+    if (!draft_.bond_of_id.add(id, Index(draft_.model.bonds.size())))
+      fault(place(), fmt::format("bond id {} is there twice", id), "give every bond an id of its own");
     draft_.model.bonds.push_back({id, a, b, branch, Index(draft_.model.blocks.size()), added_++});
     return true;
   }
@@ -126,7 +126,7 @@ class BondAdder {
   Draft& draft_;
   std::string existing_;
   std::size_t faults_;
-  Pairs pairs_;
+  std::optional<PairSet> pairs_;  ///< absent where no pair can be there already
   Index next_id_ = 1;
   Index added_ = 0;
   int most_faults_;
@@ -136,8 +136,8 @@ class BondAdder {
 /// Bonds of the rows that were not skipped, with their own parameters.
 void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
   for (std::size_t row = 0; row < rows.a.size(); ++row) {
-    if (!adder.add(rows.a[row], rows.b[row], rows.ids.empty() ? -1 : rows.ids[row], rows.places[row]))
-      continue;
+    const Index id = rows.ids.empty() ? -1 : rows.ids[row];
+    if (!adder.add(rows.a[row], rows.b[row], id, [&] { return rows.places[row]; })) continue;
     for (const auto& [parameter, values] : rows.overrides) made.overrides[parameter].push_back(values[row]);
   }
 }
@@ -172,12 +172,13 @@ void read_block(Draft& draft, TableReader& block) {
     made.parameters = complete_parameters(block, *law, given);
   if (reading.faults.size() != before || !draft.particles_known) return;
 
-  BondAdder adder(draft, existing, from_file ? 20 : 1);  // formed bonds share the place of their block
-  if (rows)
-    add_rows(adder, *rows, made);
-  else
-    for (const auto& [a, b] : bonded_pairs(draft.model.particles, formation, between ? &*between : nullptr))
-      adder.add(a, b, -1, block.place());
+  std::vector<std::pair<Index, Index>> formed;
+  if (!rows)
+    formed = bonded_pairs(draft.model.particles, formation, between ? &*between : nullptr, reading.threads);
+  const int most_faults = rows ? 20 : 1;  // formed bonds share the place of their block
+  BondAdder adder(draft, existing, most_faults, rows ? rows->a.size() : formed.size(), !rows);
+  if (rows) add_rows(adder, *rows, made);
+  for (const auto& [a, b] : formed) adder.add(a, b, -1, [&] { return block.place(); });
   if (adder.sound() && adder.added() == 0) {
     if (existing == "skip")
       reading.warnings.push_back(

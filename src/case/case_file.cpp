@@ -65,7 +65,7 @@ void warn_of_reserved(Draft& draft, TableReader& top) {
 }  // namespace
 
 Case read_case(const std::string& file, const std::vector<std::string>& overrides,
-               const std::string& resolved_folder, Purpose purpose) {
+               const std::string& resolved_folder, Purpose purpose, int threads) {
   Node root = read_tree(file, overrides);
   Draft draft;
   draft.reading.file = file;
@@ -79,6 +79,7 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   out.title = top.text("title").value_or("");
   if (!top.has("solve")) root.set("solve", Node{});
   out.solve = read_solve_options(draft.reading, *top.find("solve"));
+  draft.reading.threads = out.solve.threads > 0 ? std::min(threads, out.solve.threads) : threads;
   out.relax = read_relax_options(draft.reading, root, top);
   read_particles(draft, top.find("particles"));
   read_groups(draft, top.find("groups"));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <map>
-#include <unordered_map>
 
 #include "bondstatic/model.hpp"
+#include "case/id_table.hpp"
 #include "case/reading.hpp"
 
 namespace bondstatic {
@@ -12,8 +12,8 @@ namespace bondstatic {
 struct Draft {
   Reading reading;
   Model model;
-  std::unordered_map<Index, Index> particle_of_id;  ///< position in Model::particles
-  std::unordered_map<Index, Index> bond_of_id;
+  IdTable particle_of_id;  ///< position in Model::particles
+  IdTable bond_of_id;
   std::map<std::string, std::vector<Index>> groups;  ///< ascending positions of particles
 
   /// False where a block of particles or bonds is at fault: what refers to them is then read, but not

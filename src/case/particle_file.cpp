@@ -57,7 +57,7 @@ std::optional<ParticleRows> read_particle_file(TableReader& block) {
   const std::size_t before = faults.size();
   const auto path = block.path("file");
   if (!path) return std::nullopt;
-  const auto table = read_table(*path, block.place_of("file"), faults);
+  const auto table = read_table(*path, block.place_of("file"), faults, block.reading().threads);
   if (!table) return std::nullopt;
 
   std::vector<int> column(count);
@@ -81,8 +81,7 @@ std::optional<ParticleRows> read_particle_file(TableReader& block) {
     particle.id = -1;
     particle.radius = not_given;
   }
-  for (Index row = 0; row < table->rows(); ++row)
-    rows.places.push_back(table->place(row, std::max(column[id], 0)));
+  rows.places = RowPlaces(*table, std::max(column[id], 0));
   for (const int axis : {x, y, z}) {
     const std::vector<double> values = table->numbers(column[std::size_t(axis)], false, faults);
     for (std::size_t i = 0; i < values.size(); ++i) rows.particles[i].position[axis] = values[i];

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
+#include "case/row_places.hpp"
 #include "case/table_reader.hpp"
 
 namespace bondstatic {
 
 struct ParticleRows {
   std::vector<Particle> particles;  ///< id -1, radius and density NaN where the file has no such column
-  std::vector<Place> places;        ///< of each row
+  RowPlaces places;                 ///< of each row; empty where they are from no file
   std::vector<std::string> groups;  ///< of each row; empty where there is no such column
   bool has_id = false, has_radius = false, has_density = false;
 };

@@ -73,13 +73,13 @@ void disturb(TableReader& block, ParticleRows* rows) {
   }
   if (removal && *removal > 0) {
     ParticleRows kept;
-    for (const Index i : survivors(Index(rows->particles.size()), *removal, std::uint64_t(seed))) {
+    const auto left = survivors(Index(rows->particles.size()), *removal, std::uint64_t(seed));
+    if (!rows->places.empty()) rows->places.keep(left);
+    for (const Index i : left) {
       kept.particles.push_back(rows->particles[std::size_t(i)]);
-      if (!rows->places.empty()) kept.places.push_back(rows->places[std::size_t(i)]);
       if (!rows->groups.empty()) kept.groups.push_back(rows->groups[std::size_t(i)]);
     }
     rows->particles = std::move(kept.particles);
-    rows->places = std::move(kept.places);
     rows->groups = std::move(kept.groups);
     if (rows->particles.empty())
       block.reading().fault(block.place_of("removal"), "removal leaves no particle of the block", "lower it");
@@ -102,12 +102,14 @@ void require_density(TableReader& block, const ParticleRows* rows) {
 bool add_rows(Draft& draft, const TableReader& block, const ParticleRows& rows,
               const std::vector<std::string>& groups, Index& largest_id) {
   bool sound = true;
+  draft.particle_of_id.expect(Index(rows.particles.size()));
+  draft.model.particles.reserve(draft.model.particles.size() + rows.particles.size());
   for (std::size_t i = 0; i < rows.particles.size(); ++i) {
     Particle particle = rows.particles[i];
     if (!rows.has_id) particle.id = largest_id + 1;
     largest_id = std::max(largest_id, particle.id);
     const Index position = Index(draft.model.particles.size());
-    if (!draft.particle_of_id.emplace(particle.id, position).second && sound) {
+    if (!draft.particle_of_id.add(particle.id, position) && sound) {
       draft.reading.fault(rows.has_id ? rows.places[i] : block.place(),
                           fmt::format("particle id {} is there twice", particle.id),
                           "give every particle an id of its own, or leave the id column out");

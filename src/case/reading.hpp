@@ -21,6 +21,7 @@ struct Reading {
   std::vector<Fault> faults;
   std::vector<std::string> warnings;
   bool si = false;  ///< a number carried a unit
+  int threads = 1;  ///< for what is long; nothing that is read or said depends on it
 
   void fault(const Place& place, const std::string& message, const std::string& cure) {
     faults.push_back({place, message, cure});

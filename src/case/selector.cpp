@@ -19,18 +19,17 @@ constexpr double tolerance = 1e-9;
 
 /// Positions of the ids that a node lists, ascending. `what` is "particle" or "bond".
 std::vector<Index> positions_of_ids(Reading& reading, const Node& node, const std::string& key,
-                                    const char* what, const std::unordered_map<Index, Index>& position_of,
-                                    bool known) {
+                                    const char* what, const IdTable& table, bool known) {
   std::vector<Index> positions;
   const auto add = [&](const Node& item) {
     const auto id = read_whole(reading, item, key, 0);
     if (!id || !known) return;
-    const auto found = position_of.find(*id);
-    if (found == position_of.end())
+    const Index* found = table.position_of(*id);
+    if (!found)
       reading.fault(item.place, fmt::format("there is no {} {}", what, *id),
-                    fmt::format("the model has {} {}s; check the id", position_of.size(), what));
+                    fmt::format("the model has {} {}s; check the id", table.size(), what));
     else
-      positions.push_back(found->second);
+      positions.push_back(*found);
   };
   if (node.is_array())
     for (const Node& item : node.items) add(item);

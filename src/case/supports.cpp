@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include "case/load_cases.hpp"
 #include "case/selector.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dynamics/vec3.hpp"
-#include "dynamics/wide.hpp"
+#include "io/wide.hpp"
 
 namespace bondstatic {
 

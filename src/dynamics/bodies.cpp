@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bondstatic/error.hpp"
-#include "dynamics/wide.hpp"
+#include "io/wide.hpp"
 
 namespace bondstatic {
 

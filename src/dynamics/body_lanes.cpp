@@ -1,6 +1,6 @@
 #include "dynamics/body_lanes.hpp"
 
-#include "dynamics/wide.hpp"
+#include "io/wide.hpp"
 
 namespace bondstatic {
 

@@ -1,32 +1,58 @@
 #include "io/base64.hpp"
 
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "io/ordered_blocks.hpp"
+
 namespace bondstatic {
 
-void Base64Stream::append(std::span<const std::byte> bytes) {
-  std::size_t since_flush = 0;
-  for (const std::byte byte : bytes) {
-    pending_[pending_count_++] = std::to_integer<unsigned char>(byte);
-    if (pending_count_ == 3) put(3);
-    if (++since_flush == 4096) {
-      file_.flush_if_large();
-      since_flush = 0;
-    }
+namespace {
+
+constexpr char letter[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+using Pair = std::array<char, 2>;
+
+/// The two letters of twelve bits.
+constexpr std::array<Pair, 4096> pair_table = [] {
+  std::array<Pair, 4096> table{};
+  for (std::size_t bits = 0; bits < table.size(); ++bits)
+    table[bits] = {letter[bits >> 6], letter[bits & 63]};
+  return table;
+}();
+
+unsigned at(std::span<const std::byte> bytes, std::size_t i) {
+  return std::to_integer<unsigned>(bytes[i]);
+}
+
+}  // namespace
+
+void append_base64(std::span<const std::byte> bytes, fmt::memory_buffer& letters) {
+  const std::size_t groups = bytes.size() / 3, rest = bytes.size() % 3;
+  const std::size_t before = letters.size();
+  letters.resize(before + 4 * (groups + (rest > 0)));
+  char* out = letters.data() + before;
+  for (std::size_t i = 0; i < 3 * groups; i += 3, out += 4) {
+    const unsigned bits = at(bytes, i) << 16 | at(bytes, i + 1) << 8 | at(bytes, i + 2);
+    std::memcpy(out, pair_table[bits >> 12].data(), 2);
+    std::memcpy(out + 2, pair_table[bits & 4095].data(), 2);
   }
+  if (rest == 0) return;
+  const unsigned bits = at(bytes, 3 * groups) << 16 | (rest == 2 ? at(bytes, 3 * groups + 1) << 8 : 0);
+  out[0] = letter[bits >> 18];
+  out[1] = letter[bits >> 12 & 63];
+  out[2] = rest == 2 ? letter[bits >> 6 & 63] : '=';
+  out[3] = '=';
 }
 
-void Base64Stream::finish() {
-  if (pending_count_ > 0) put(pending_count_);
-  file_.flush_if_large();
-}
-
-void Base64Stream::put(int count) {
-  static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (int i = count; i < 3; ++i) pending_[i] = 0;
-  const unsigned bits = unsigned(pending_[0]) << 16 | unsigned(pending_[1]) << 8 | pending_[2];
-  const char four[4] = {letters[bits >> 18], letters[bits >> 12 & 63],
-                        count > 1 ? letters[bits >> 6 & 63] : '=', count > 2 ? letters[bits & 63] : '='};
-  file_.buffer().append(four, four + 4);
-  pending_count_ = 0;
+void write_base64(OutputFile& file, Index size, const BytesOf& bytes_of) {
+  constexpr Index block = 24 * 32768;
+  write_blocks(file, size, block, [&](Index begin, Index end, fmt::memory_buffer& text) {
+    std::vector<std::byte> bytes(std::size_t(end - begin));
+    bytes_of(begin, bytes);
+    append_base64(bytes, text);
+  });
 }
 
 }  // namespace bondstatic

@@ -1,26 +1,22 @@
-// Base64 (RFC 4648, with padding), in pieces: three bytes become four letters.
+// Base64 (RFC 4648, with padding): three bytes become four letters.
 #pragma once
 
+#include <functional>
 #include <span>
 
+#include "bondstatic/types.hpp"
 #include "io/output_file.hpp"
 
 namespace bondstatic {
 
-class Base64Stream {
- public:
-  explicit Base64Stream(OutputFile& file) : file_(file) {}
+/// Appends the letters of `bytes`, padded where they are no multiple of three.
+void append_base64(std::span<const std::byte> bytes, fmt::memory_buffer& letters);
 
-  void append(std::span<const std::byte> bytes);
-  /// Pads and ends the stream.
-  void finish();
+/// Bytes [begin, begin + into.size()) of something longer; called by several threads at once. `begin` is a
+/// multiple of 24: whole groups of letters and whole numbers of eight bytes.
+using BytesOf = std::function<void(Index begin, std::span<std::byte> into)>;
 
- private:
-  void put(int count);
-
-  OutputFile& file_;
-  unsigned char pending_[3] = {};
-  int pending_count_ = 0;
-};
+/// Writes `size` bytes as one stream of letters.
+void write_base64(OutputFile& file, Index size, const BytesOf& bytes_of);
 
 }  // namespace bondstatic

@@ -1,6 +1,9 @@
-// A named column of numbers, as the writers of tables and of VTK files take it.
+// A named column of numbers, as the writers of tables and of VTK files take it. Numbers are asked for one at
+// a time, so that the columns of a million bonds need no memory of their own.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,13 +13,29 @@
 namespace bondstatic {
 
 struct Column {
-  std::string name;
-  std::variant<std::vector<Index>, std::vector<double>> values;
-  int components = 1;  ///< values of one row lie together
+  /// Number i = row * components + component; may be called by several threads at once.
+  template <class T>
+  using Numbers = std::function<T(Index)>;
 
-  Index rows() const {
-    return std::visit([&](const auto& v) { return Index(v.size()) / components; }, values);
+  std::string name;
+  std::variant<Numbers<Index>, Numbers<double>> at;
+  Index count;  ///< of numbers
+  int components;
+
+  Column(std::string named, Index numbers, std::variant<Numbers<Index>, Numbers<double>> number_at,
+         int per_row = 1)
+      : name(std::move(named)), at(std::move(number_at)), count(numbers), components(per_row) {}
+
+  /// Keeps the numbers.
+  template <class T>
+  Column(std::string named, std::vector<T> numbers, int per_row = 1)
+      : name(std::move(named)), count(Index(numbers.size())), components(per_row) {
+    at = Numbers<T>([kept = std::make_shared<const std::vector<T>>(std::move(numbers))](Index i) {
+      return (*kept)[std::size_t(i)];
+    });
   }
+
+  Index rows() const { return count / components; }
 };
 
 }  // namespace bondstatic

@@ -1,42 +1,36 @@
 #include "io/csv_writer.hpp"
 
-#include <cmath>
-#include <iterator>
+#include "io/number_text.hpp"
+#include "io/ordered_blocks.hpp"
 
 namespace bondstatic {
 
-namespace {
-
-void append_number(fmt::memory_buffer& out, double value) {
-  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{}", value);
-}
-
-void append_number(fmt::memory_buffer& out, Index value) {
-  const fmt::format_int digits(value);
-  out.append(digits.data(), digits.data() + digits.size());
-}
-
-}  // namespace
-
 void write_csv(OutputFile& file, std::span<const Column> columns) {
-  fmt::memory_buffer& out = file.buffer();
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    fmt::format_to(std::back_inserter(out), "{}{}", c == 0 ? "" : ",", csv_field(columns[c].name));
-  out.push_back('\n');
+  std::string header;
+  for (const Column& column : columns) header += csv_field(column.name) + ',';
+  if (!header.empty()) header.pop_back();
+  file.append(header + '\n');
+  constexpr Index block = 8192;  // rows; a megabyte or two of text
   const Index rows = columns.empty() ? 0 : columns.front().rows();
-  for (Index row = 0; row < rows; ++row) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (c > 0) out.push_back(',');
-      std::visit([&](const auto& values) { append_number(out, values[std::size_t(row)]); },
-                 columns[c].values);
+  write_blocks(file, rows, block, [&](Index begin, Index end, fmt::memory_buffer& text) {
+    const std::size_t longest_row = columns.size() * (longest_number + 1);
+    for (Index row = begin; row < end; ++row) {
+      const std::size_t before = text.size();
+      text.resize(before + longest_row);
+      char* out = text.data() + before;
+      for (const Column& column : columns) {
+        std::visit([&](const auto& number) { out = write_number(out, number(row)); }, column.at);
+        *out++ = ',';
+      }
+      out[-1] = '\n';
+      text.resize(std::size_t(out - text.data()));
     }
-    out.push_back('\n');
-    file.flush_if_large();
-  }
+  });
 }
 
 std::string csv_number(double value) {
-  return std::isnan(value) ? "" : fmt::format("{}", value);
+  char text[longest_number];
+  return {text, write_number(text, value)};
 }
 
 std::string csv_field(std::string_view text) {

@@ -45,8 +45,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-FileSet::FileSet(const fs::path& folder, Checkpoint checkpoint)
-    : folder_(plain(folder)), checkpoint_(std::move(checkpoint)) {
+FileSet::FileSet(const fs::path& folder, Checkpoint checkpoint, int threads)
+    : folder_(plain(folder)), checkpoint_(std::move(checkpoint)), threads_(threads) {
   try {
     make_folders(folder_);
     sweep_stale_staging(folder_);
@@ -84,12 +84,13 @@ OutputFile& FileSet::create(const std::string& name) {
   fs::create_directories(path.parent_path(), error);
   if (error) unusable(folder_, error.message());
   names_.push_back(name);
-  current_ = std::make_unique<OutputFile>(path, (folder_ / name).string(), checkpoint_);
+  current_ = std::make_unique<OutputFile>(path, (folder_ / name).string(), checkpoint_, threads_);
   return *current_;
 }
 
 void FileSet::finish_current() {
   if (current_) current_->close();
+  bytes_ = bytes();
   current_.reset();
 }
 

@@ -15,9 +15,10 @@ namespace bondstatic {
 
 class FileSet {
  public:
-  /// Makes `folder` (and its parents) where it is missing. The checkpoint is called between pieces of work.
+  /// Makes `folder` (and its parents) where it is missing. The checkpoint is called between pieces of work,
+  /// by whichever of the `threads` is at it.
   /// Throws Error (invalid_input) that names the folder where nothing can be written there.
-  explicit FileSet(const std::filesystem::path& folder, Checkpoint checkpoint = {});
+  explicit FileSet(const std::filesystem::path& folder, Checkpoint checkpoint = {}, int threads = 1);
   ~FileSet();
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
@@ -28,6 +29,9 @@ class FileSet {
 
   /// Starts a file; finishes the one before, whose reference is then no longer valid.
   OutputFile& create(const std::string& name);
+
+  /// Bytes written so far, of all files.
+  double bytes() const { return bytes_ + (current_ ? current_->bytes() : 0); }
 
   /// Puts everything in place, the file that was created last comes last. A file in the way that is not
   /// superseded is never overwritten: Error (invalid_input). After any error all is as it was before.
@@ -49,6 +53,8 @@ class FileSet {
   std::filesystem::path folder_, staging_;
   FolderLock lock_;  ///< on the staging folder
   Checkpoint checkpoint_;
+  int threads_;
+  double bytes_ = 0;  ///< of finished files
   std::vector<std::string> names_, superseded_;
   std::unique_ptr<OutputFile> current_;
   std::vector<std::filesystem::path> made_;  ///< folders that were not there before

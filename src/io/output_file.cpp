@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -20,8 +21,9 @@ constexpr std::size_t large = std::size_t(1) << 20;
 
 }  // namespace
 
-OutputFile::OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint)
-    : shown_(std::move(shown)), checkpoint_(std::move(checkpoint)) {
+OutputFile::OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint,
+                       int threads)
+    : shown_(std::move(shown)), checkpoint_(std::move(checkpoint)), threads_(threads) {
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(shown_, "open for writing", errno);
 }
@@ -31,12 +33,17 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::append(std::string_view text) {
-  // In pieces, so that one large text neither doubles memory nor keeps an interrupt waiting.
-  while (!text.empty()) {
-    const std::string_view piece = text.substr(0, large);
-    buffer_.append(piece.data(), piece.data() + piece.size());
-    flush_if_large();
-    text.remove_prefix(piece.size());
+  // What is long is not copied again.
+  constexpr std::size_t worth_a_call = std::size_t(1) << 16;
+  if (text.size() < worth_a_call) {
+    buffer_.append(text.data(), text.data() + text.size());
+    return flush_if_large();
+  }
+  flush();
+  // In pieces, so that one large text does not keep an interrupt waiting.
+  for (; !text.empty(); text.remove_prefix(std::min(text.size(), large))) {
+    if (checkpoint_) checkpoint_();
+    write(text.substr(0, large));
   }
 }
 
@@ -46,13 +53,18 @@ void OutputFile::flush_if_large() {
 
 void OutputFile::flush() {
   if (checkpoint_) checkpoint_();
-  for (std::size_t done = 0; done < buffer_.size();) {
-    const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+  write({buffer_.data(), buffer_.size()});
+  buffer_.clear();
+}
+
+void OutputFile::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(shown_, "write", errno);
-    done += std::size_t(count);
+    text.remove_prefix(std::size_t(count));
+    bytes_ += double(count);
   }
-  buffer_.clear();
 }
 
 void OutputFile::close() {

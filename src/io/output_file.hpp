@@ -16,7 +16,8 @@ using Checkpoint = std::function<void()>;
 class OutputFile {
  public:
   /// Opens `path` for writing; `shown` is the name that messages use. Throws Error.
-  OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint = {});
+  OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint = {},
+             int threads = 1);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -24,6 +25,10 @@ class OutputFile {
   /// Format into this, then call flush_if_large().
   fmt::memory_buffer& buffer() { return buffer_; }
   void append(std::string_view text);
+  /// Bytes written so far.
+  double bytes() const { return bytes_; }
+  /// Threads that may format what goes into it.
+  int threads() const { return threads_; }
   void flush_if_large();
 
   /// Writes what is left and closes; only after this is the file known to be whole. Throws Error.
@@ -31,9 +36,12 @@ class OutputFile {
 
  private:
   void flush();
+  void write(std::string_view text);
 
   std::string shown_;
   Checkpoint checkpoint_;
+  int threads_;
+  double bytes_ = 0;
   int descriptor_ = -1;
   fmt::memory_buffer buffer_;
 };

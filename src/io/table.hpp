@@ -6,10 +6,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bondstatic/error.hpp"
 #include "bondstatic/types.hpp"
+#include "io/table_rows.hpp"
 
 namespace bondstatic {
 
@@ -17,9 +19,11 @@ class Table {
  public:
   /// The first line that is neither empty nor a comment names the columns. No names, a name twice and rows of
   /// another length are faults, appended; the table is then absent.
-  static std::optional<Table> parse(std::string text, const std::string& file, std::vector<Fault>& faults);
+  /// Neither the table nor the faults depend on `threads`, which holds for the columns as well.
+  static std::optional<Table> parse(std::string text, const std::string& file, std::vector<Fault>& faults,
+                                    int threads = 1);
 
-  Index rows() const { return Index(row_begin_.size()); }
+  Index rows() const { return Index(rows_.row_begin.size()); }
   const std::vector<std::string>& names() const { return names_; }
 
   /// The column that has one of these names, letter case free, or -1; two of them are a fault, appended.
@@ -36,22 +40,27 @@ class Table {
 
   /// Of a field; column -1 means the row's first, row -1 the header.
   Place place(Index row, int column) const;
+  /// The same without the file; of a row only.
+  std::pair<int, int> line_and_column(Index row, int column) const;
 
  private:
+  void name_columns(std::string_view line, int line_number, const std::vector<std::size_t>& starts,
+                    std::vector<Fault>& faults);
   std::string_view field(Index row, int column) const;
+  std::string number_fault(std::string_view text, double value, int column) const;
 
   std::string text_;
   std::string file_;
   std::vector<std::string> names_;
   std::vector<int> name_columns_;
   int header_line_ = 0;
-  std::vector<std::size_t> row_begin_;
-  std::vector<int> row_line_;
-  std::vector<std::size_t> field_begin_;  ///< row by row
+  TableRows rows_;
   char separator_ = ',';
+  int threads_ = 1;
 };
 
 /// Reads the file and parses it; see read_text_file for what else may be at fault.
-std::optional<Table> read_table(const std::string& path, const Place& named_at, std::vector<Fault>& faults);
+std::optional<Table> read_table(const std::string& path, const Place& named_at, std::vector<Fault>& faults,
+                                int threads = 1);
 
 }  // namespace bondstatic

@@ -52,19 +52,19 @@ std::string_view field_at(std::string_view line, std::size_t begin, char separat
   return line.substr(begin, end - begin);
 }
 
-FieldStarts field_starts(std::string_view line, char separator) {
-  FieldStarts found;
-  std::size_t at = skip_blanks(line, 0, separator == ' ' ? '\0' : separator);
-  if (at >= line.size() || line[at] == '#') return found;
+std::size_t append_field_starts(std::string_view line, char separator, std::size_t offset,
+                                std::vector<std::size_t>& starts) {
+  constexpr std::size_t none = std::string_view::npos;
+  const char kept = separator == ' ' ? '\0' : separator;  // a blank that separates is skipped like others
+  std::size_t at = skip_blanks(line, 0, kept);
+  if (at >= line.size() || line[at] == '#') return none;
   while (true) {
-    found.begins.push_back(at);
+    starts.push_back(offset + at);
     const bool quoted = at < line.size() && line[at] == '"';
-    std::size_t end = field_end(line, at, separator);
-    if (quoted && after_quotes(line, at) == std::string_view::npos) found.open_quote = at;
-    const std::size_t next = skip_blanks(line, end, separator == ' ' ? '\0' : separator);
-    if (next >= line.size() || line[next] == '#') return found;
-    if (quoted && separator != ' ' && line[next] != separator) found.open_quote = at;
-    if (found.open_quote != std::string_view::npos) return found;
+    if (quoted && after_quotes(line, at) == none) return offset + at;
+    const std::size_t next = skip_blanks(line, field_end(line, at, separator), kept);
+    if (next >= line.size() || line[next] == '#') return none;
+    if (quoted && separator != ' ' && line[next] != separator) return offset + at;
     at = separator == ' ' ? next : skip_blanks(line, next + 1, separator);
   }
 }

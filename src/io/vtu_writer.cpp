@@ -2,8 +2,8 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
-#include <vector>
 
 #include "io/base64.hpp"
 
@@ -42,34 +42,42 @@ void print(OutputFile& file, fmt::format_string<T...> format, T&&... values) {
   fmt::format_to(std::back_inserter(file.buffer()), format, std::forward<T>(values)...);
 }
 
-/// Uncompressed inline data is one base64 stream of the byte count (UInt64) and the values.
-template <class T>
-void write_array(OutputFile& file, const std::string& name, int components, std::span<const T> values) {
+/// Uncompressed inline data is one base64 stream of the byte count (UInt64) and the values; `at` gives the
+/// i-th of them.
+template <class T, class At>
+void write_array(OutputFile& file, const std::string& name, int components, Index count, At at) {
   print(file, "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
         vtk_type<T>, attribute_text(name), components);
-  Base64Stream stream(file);
-  const std::uint64_t bytes = values.size_bytes();
-  stream.append(std::as_bytes(std::span(&bytes, 1)));
-  stream.append(std::as_bytes(values));
-  stream.finish();
+  constexpr Index header = sizeof(std::uint64_t), size = sizeof(T);
+  write_base64(file, header + size * count, [&](Index begin, std::span<std::byte> into) {
+    std::byte *out = into.data(), *const end = out + into.size();
+    if (begin == 0) {
+      const std::uint64_t bytes = std::uint64_t(size * count);
+      std::memcpy(out, &bytes, header);
+      out += header;
+    }
+    for (Index i = begin == 0 ? 0 : (begin - header) / size; out != end; ++i, out += size) {
+      const T value = at(i);
+      std::memcpy(out, &value, size);
+    }
+  });
   print(file, "\n</DataArray>\n");
 }
 
 void write_columns(OutputFile& file, std::span<const Column> columns) {
   for (const Column& column : columns)
     std::visit(
-        [&](const auto& values) { write_array(file, column.name, column.components, std::span(values)); },
-        column.values);
+        [&]<class T>(const Column::Numbers<T>& at) {
+          write_array<T>(file, column.name, column.components, column.count, at);
+        },
+        column.at);
 }
 
 void write_lines(OutputFile& file, std::span<const Index> ends) {
-  const std::size_t lines = ends.size() / 2;
-  std::vector<Index> offsets(lines);
-  for (std::size_t i = 0; i < lines; ++i) offsets[i] = Index(2 * (i + 1));
-  const std::vector<std::uint8_t> types(lines, vtk_line);
-  write_array(file, "connectivity", 1, ends);
-  write_array(file, "offsets", 1, std::span<const Index>(offsets));
-  write_array(file, "types", 1, std::span<const std::uint8_t>(types));
+  const Index lines = Index(ends.size() / 2);
+  write_array<Index>(file, "connectivity", 1, 2 * lines, [&](Index i) { return ends[std::size_t(i)]; });
+  write_array<Index>(file, "offsets", 1, lines, [](Index i) { return 2 * (i + 1); });
+  write_array<std::uint8_t>(file, "types", 1, lines, [](Index) { return vtk_line; });
 }
 
 }  // namespace
@@ -87,7 +95,8 @@ void write_vtu(OutputFile& file, const LineGrid& grid) {
   print(file, "</PointData>\n<CellData>\n");
   write_columns(file, grid.line_data);
   print(file, "</CellData>\n<Points>\n");
-  write_array(file, "Points", 3, grid.points);
+  write_array<double>(file, "Points", 3, Index(grid.points.size()),
+                      [&](Index i) { return grid.points[std::size_t(i)]; });
   print(file, "</Points>\n<Cells>\n");
   write_lines(file, grid.lines);
   print(file, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");

@@ -19,10 +19,10 @@ struct Formation {
 
 /// Pairs of model positions, ids ascending within a pair and sorted by (id of a, id of b). Where `between` is
 /// given, one end lies in its first and the other in its second list (ascending positions; the lists may
-/// overlap or be equal).
+/// overlap or be equal). Nothing but the time depends on `threads`.
 using PositionLists = std::pair<std::vector<Index>, std::vector<Index>>;
 std::vector<std::pair<Index, Index>> bonded_pairs(std::span<const Particle> particles,
                                                   const Formation& formation,
-                                                  const PositionLists* between = nullptr);
+                                                  const PositionLists* between = nullptr, int threads = 1);
 
 }  // namespace bondstatic

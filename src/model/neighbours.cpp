@@ -84,23 +84,66 @@ class Grid {
   std::vector<Sphere> spheres_;
 };
 
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+constexpr Index piece_size = 1 << 12;  // spheres that one thread takes at a time
+
+Index pieces_of(Index count) {
+  return (count + piece_size - 1) / piece_size;
+}
+
+int threads_for(Index pieces, int threads) {
+  return int(std::clamp<Index>(pieces, 1, std::max(1, threads)));
+}
+
 /// Pairs sorted by (i, j) in linear time: counted by i, then each particle's few partners sorted.
-std::vector<std::pair<Index, Index>> sorted(std::vector<std::pair<Index, Index>> pairs, std::size_t count) {
-  std::vector<std::size_t> first(count + 1);
-  for (const auto& pair : pairs) ++first[std::size_t(pair.first) + 1];
-  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
-  std::vector<std::size_t> next = first;
-  std::vector<std::pair<Index, Index>> out(pairs.size());
-  for (const auto& pair : pairs) out[next[std::size_t(pair.first)]++] = pair;
-  for (std::size_t i = 0; i < count; ++i)
-    std::sort(out.begin() + std::ptrdiff_t(first[i]), out.begin() + std::ptrdiff_t(first[i + 1]));
+Pairs sorted(std::vector<Pairs> found, Index count, int threads) {
+  std::vector<std::size_t> next(std::size_t(count) + 1);
+  for (const Pairs& pairs : found)
+    for (const auto& pair : pairs) ++next[std::size_t(pair.first) + 1];
+  for (std::size_t i = 0; i < std::size_t(count); ++i) next[i + 1] += next[i];
+  Pairs out(next.back());
+  for (Pairs& pairs : found) {
+    for (const auto& pair : pairs) out[next[std::size_t(pair.first)]++] = pair;
+    Pairs().swap(pairs);
+  }
+  // By now next[i] is where the partners of i end.
+  const Index pieces = pieces_of(count);
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(pieces, threads)) if (threads > 1)
+  for (Index piece = 0; piece < pieces; ++piece)
+    for (Index i = piece * piece_size; i < std::min(count, (piece + 1) * piece_size); ++i) {
+      const std::size_t begin = i == 0 ? 0 : next[std::size_t(i) - 1];
+      std::sort(out.begin() + std::ptrdiff_t(begin), out.begin() + std::ptrdiff_t(next[std::size_t(i)]));
+    }
   return out;
+}
+
+/// Pairs of the spheres of `own` with those of `other`, in pieces of `own`.
+void append_touching(const Grid& own, const Grid& other, int threads, std::vector<Pairs>& found) {
+  const auto& spheres = own.spheres();
+  const Index count = Index(spheres.size()), pieces = pieces_of(count);
+  const std::size_t before = found.size();
+  found.resize(before + std::size_t(pieces));
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(pieces, threads)) if (threads > 1)
+  for (Index piece = 0; piece < pieces; ++piece) {
+    Pairs pairs;
+    for (Index i = piece * piece_size; i < std::min(count, (piece + 1) * piece_size); ++i) {
+      const Grid::Sphere& s = spheres[std::size_t(i)];
+      other.visit_near(s.position, s.reach, [&](const Grid::Sphere& t) {
+        if (&own == &other && t.number <= s.number) return;
+        const double sum = s.reach + t.reach;
+        if ((t.position - s.position).squaredNorm() <= sum * sum)
+          pairs.push_back(std::minmax(s.number, t.number));
+      });
+    }
+    found[before + std::size_t(piece)] = std::move(pairs);
+  }
 }
 
 }  // namespace
 
 std::vector<std::pair<Index, Index>> touching_pairs(std::span<const Vector3> positions,
-                                                    std::span<const double> reach) {
+                                                    std::span<const double> reach, int threads) {
   const std::size_t count = positions.size();
   if (count == 0) return {};
   Vector3 low = positions[0], high = positions[0];
@@ -122,17 +165,12 @@ std::vector<std::pair<Index, Index>> touching_pairs(std::span<const Vector3> pos
 
   // Each sphere looks for partners of its own size and larger: a large one has many small neighbours, but a
   // small one touches few large ones unless they overlap.
-  std::vector<std::pair<Index, Index>> pairs;
+  std::vector<Pairs> found;
   for (auto own = grids.begin(); own != grids.end(); ++own)
     for (auto other = own; other != grids.end(); ++other)
-      for (const Grid::Sphere& s : own->second.spheres())
-        other->second.visit_near(s.position, s.reach, [&](const Grid::Sphere& t) {
-          if (own == other && t.number <= s.number) return;
-          const double sum = s.reach + t.reach;
-          if ((t.position - s.position).squaredNorm() <= sum * sum)
-            pairs.push_back(std::minmax(s.number, t.number));
-        });
-  return sorted(std::move(pairs), count);
+      append_touching(own->second, other->second, threads, found);
+  grids.clear();
+  return sorted(std::move(found), Index(count), threads);
 }
 
 }  // namespace bondstatic

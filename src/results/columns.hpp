@@ -1,4 +1,5 @@
-// The answer of one load case as named columns, for the tables and for model.vtu.
+// The answer of one load case as named columns, for the tables and for model.vtu. The columns look into the
+// model and the state, which must outlive them.
 #pragma once
 
 #include <vector>

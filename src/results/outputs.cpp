@@ -22,8 +22,7 @@ const State& load_case_of(const Output& output, const std::vector<const State*>&
     if (state->name == output.load_case) return *state;
   if (output.load_case.empty() && states.size() == 1) return *states.front();
   std::string names;
-  for (const State* state : states)
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", state->name);
+  for (const State* state : states) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", state->name);
   refuse(output, fmt::format("no load case \"{}\"", output.load_case), "set case to one of " + names);
 }
 

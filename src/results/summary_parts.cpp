@@ -10,11 +10,12 @@ namespace bondstatic {
 Json counts_of(const Model& model) {
   std::set<Index> supported;
   for (const Support& support : model.supports) supported.insert(support.particle);
+  std::vector<Index> in_block(model.blocks.size());
+  for (const Bond& bond : model.bonds) ++in_block[std::size_t(bond.block)];
   Json laws = Json::object();
-  for (const BondBlock& block : model.blocks) laws[block.law] = 0;
-  for (const Bond& bond : model.bonds) {
-    Json& count = laws[model.blocks[std::size_t(bond.block)].law];
-    count = count.get<Index>() + 1;
+  for (std::size_t b = 0; b < in_block.size(); ++b) {
+    const Json& so_far = laws.emplace(model.blocks[b].law, 0).first.value();
+    laws[model.blocks[b].law] = so_far.get<Index>() + in_block[b];
   }
   return {{"particles", model.particles.size()},
           {"bonds", model.bonds.size()},

@@ -40,7 +40,7 @@ void check_relaxation_folder(const Model& model, const std::string& folder) {
 void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& relaxation,
                       const std::vector<OutputValue>& outputs, const std::string& folder,
                       const std::function<void()>& checkpoint) {
-  FileSet files(folder, checkpoint);
+  FileSet files(folder, checkpoint, relaxation.threads);
   files.supersede(relaxation.at_rest() ? superseded_by_relaxation(folder) : earlier_files(folder));
   for (const RelaxedCase& relaxed : relaxation.cases) {
     write_state(files, model, relaxed.state);

@@ -1,5 +1,7 @@
 #include "statics/recover.hpp"
 
+#include <algorithm>
+
 namespace bondstatic {
 
 namespace {
@@ -52,24 +54,53 @@ double ratio(const Extended& part, const Extended& whole) {
   return whole > 0.0 ? to_double(part / whole) : 0.0;
 }
 
-void balance(const Model& model, const std::vector<bool>& left_out, const BodyVectors<Extended>& outside,
-             Accuracy& accuracy) {
-  Vector3 centre = Vector3::Zero();
-  for (const Particle& particle : model.particles) centre += particle.position;
-  centre /= double(std::max<std::size_t>(1, model.particles.size()));
-  Extended3 force = Extended3::Zero(), moment = Extended3::Zero();
-  Extended forces = 0.0, moments = 0.0;
-  for (std::size_t p = 0; p < outside.size(); ++p) {
-    if (left_out[p]) continue;
-    const Extended3 f = outside[p].head<3>(), m = outside[p].tail<3>();
-    const Extended3 arm = model.particles[p].position.cast<Extended>() - centre.cast<Extended>();
-    force += f;
-    moment += arm.cross(f) + m;
-    forces += f.norm();
-    moments += arm.norm() * f.norm() + m.norm();
+/// Sums over all that acts on the particles from outside.
+class OutsideForces {
+ public:
+  explicit OutsideForces(const Model& model) : model_(model) {
+    Vector3 centre = Vector3::Zero();
+    for (const Particle& particle : model.particles) centre += particle.position;
+    centre_ = (centre / double(std::max<std::size_t>(1, model.particles.size()))).cast<Extended>();
   }
-  accuracy.force_balance = ratio(force.norm(), forces);
-  accuracy.moment_balance = ratio(moment.norm(), moments);
+
+  void add(std::size_t p, const Extended6& outside, const Extended6& motion) {
+    for (int i = 0; i < 6; ++i) work_ += outside[i] * motion[i];
+    const Extended3 f = outside.head<3>(), m = outside.tail<3>();
+    const Extended3 arm = model_.particles[p].position.cast<Extended>() - centre_;
+    force_ += f;
+    moment_ += arm.cross(f) + m;
+    forces_ += f.norm();
+    moments_ += arm.norm() * f.norm() + m.norm();
+  }
+
+  Extended work() const { return work_; }
+  double force_balance() const { return ratio(force_.norm(), forces_); }
+  double moment_balance() const { return ratio(moment_.norm(), moments_); }
+
+ private:
+  const Model& model_;
+  Extended3 centre_;
+  Extended3 force_ = Extended3::Zero(), moment_ = Extended3::Zero();
+  Extended forces_ = 0.0, moments_ = 0.0, work_ = 0.0;
+};
+
+/// What one bond carries; adds nothing up, so that many can be formed at once. Returns its energy.
+Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
+               const std::vector<Vector6>& displacement, BondResult& found) {
+  const auto a = std::size_t(link.a), b = std::size_t(link.b);
+  const Extended3 axis = bond_axis<Extended>(link);
+  const Extended6 delta = relative_motion<Extended>(link, motion[a], motion[b]);
+  const Extended6 q = resultants<Extended>(link.stiffness, axis, delta);
+  const Vector6 moved = motion_magnitude(link, displacement[a], displacement[b]);
+  const Vector6 magnitude = resultant_magnitude(bond.stiffness, axis.cast<double>(), moved);
+  // With torque feedback off the bond still carries moments that equilibrium does not see.
+  const Carried carried{bond.moments_fed_back ? q : resultants<Extended>(bond.stiffness, axis, delta),
+                        magnitude.head<3>().norm(), magnitude.tail<3>().norm()};
+  found = bond_result(carried, axis, bond.radius);
+  const Extended energy = 0.5 * delta.dot(q);
+  // Quadratic in the motion, so that its rounding is that of the motion squared.
+  found.energy = settled(energy, negligible * magnitude.dot(moved));
+  return energy;
 }
 
 }  // namespace
@@ -83,60 +114,59 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
   LoadCaseResult result;
   result.accuracy = refined.accuracy;
   result.displacement.resize(particles);
-  result.reaction.resize(particles);
+  result.reaction.assign(particles, Vector6::Zero());
   result.bonds.resize(std::size_t(bonds));
   for (std::size_t p = 0; p < particles; ++p)
     result.displacement[p] =
         left_out[p] ? Vector6(Vector6::Constant(not_given)) : Vector6(motion[p].cast<double>());
 
-  const auto q = link_resultants<Extended>(network, motion, threads);
-  std::vector<Extended> energies(std::size_t(bonds), 0.0);
+  // The energy is summed in the order of the bonds whatever the threads, a block at a time.
+  constexpr Index block = 1 << 14;
+  std::vector<Extended> energies(std::size_t(std::min(block, bonds)));
+  Extended energy = 0.0;
+  for (Index first = 0; first < bonds; first += block) {
+    const Index last = std::min(bonds, first + block);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
-  for (Index k = 0; k < bonds; ++k) {
-    const Link& link = network.links[std::size_t(k)];
-    const auto a = std::size_t(link.a), b = std::size_t(link.b);
-    if (left_out[a]) {
-      result.bonds[std::size_t(k)] = no_result();
-      continue;
+    for (Index k = first; k < last; ++k) {
+      const Link& link = network.links[std::size_t(k)];
+      BondResult& found = result.bonds[std::size_t(k)];
+      Extended& own = energies[std::size_t(k - first)];
+      if (left_out[std::size_t(link.a)])
+        found = no_result(), own = 0.0;
+      else
+        own = carry(link, properties[std::size_t(k)], motion, result.displacement, found);
     }
-    // With torque feedback off the bond still carries moments that equilibrium does not see.
-    const BondProperties& bond = properties[std::size_t(k)];
-    const Extended3 axis = bond_axis<Extended>(link);
-    const Extended6 delta = relative_motion<Extended>(link, motion[a], motion[b]);
-    const Vector6 moved = motion_magnitude(link, result.displacement[a], result.displacement[b]);
-    const Vector6 magnitude = resultant_magnitude(bond.stiffness, axis.cast<double>(), moved);
-    const Carried carried{
-        bond.moments_fed_back ? q[std::size_t(k)] : resultants<Extended>(bond.stiffness, axis, delta),
-        magnitude.head<3>().norm(), magnitude.tail<3>().norm()};
-    BondResult& found = result.bonds[std::size_t(k)];
-    found = bond_result(carried, axis, bond.radius);
-    energies[std::size_t(k)] = 0.5 * delta.dot(q[std::size_t(k)]);
-    // Quadratic in the motion, so that its rounding is that of the motion squared.
-    found.energy = settled(energies[std::size_t(k)], negligible * magnitude.dot(moved));
+    for (Index k = first; k < last; ++k) energy += energies[std::size_t(k - first)];
   }
-  Extended energy = 0.0, work = 0.0;
-  for (const Extended& part : energies) energy += part;
 
-  auto outside = gather_forces<Extended>(network, incidence, q, threads);
-  const auto magnitude = force_magnitudes(network, incidence, converted<double>(motion), threads);
+  constexpr std::uint8_t all_free = 0x3f;
+  OutsideForces all(model);
   for (std::size_t p = 0; p < particles; ++p) {
     if (left_out[p]) {
       result.reaction[p] = Vector6::Constant(not_given);
       continue;
     }
-    for (int i = 0; i < 6; ++i) {
-      const bool free = (boundary.free[p] >> i) & 1;
-      const double load = boundary.load[p][i];
-      result.reaction[p][i] = free ? 0.0 : settled(outside[p][i] - load, magnitude[p][i] + std::abs(load));
-      // Where nothing is prescribed the outside force is the load; B^T q equals it only to the residual.
-      if (free) outside[p][i] = load;
-      work += outside[p][i] * motion[p][i];
+    // Where nothing is prescribed the outside force is the load; B^T q equals it only to the residual.
+    Extended6 outside = boundary.load[p].cast<Extended>();
+    if ((boundary.free[p] & all_free) != all_free) {
+      const Extended6 internal = force_on_body<Extended>(network, incidence, motion, Index(p));
+      const Vector6 magnitude = force_magnitude(network, incidence, result.displacement, Index(p));
+      for (int i = 0; i < 6; ++i) {
+        if ((boundary.free[p] >> i) & 1) continue;
+        const double load = boundary.load[p][i];
+        result.reaction[p][i] = settled(internal[i] - load, magnitude[i] + std::abs(load));
+        outside[i] = internal[i];
+      }
+    } else if (boundary.load[p].isZero(0)) {
+      continue;
     }
+    all.add(p, outside, motion[p]);
   }
   result.energy = to_double(energy);
-  result.work = to_double(work);
-  result.accuracy.energy_balance = ratio(abs(2.0 * energy - work), 2.0 * energy);
-  balance(model, left_out, outside, result.accuracy);
+  result.work = to_double(all.work());
+  result.accuracy.energy_balance = ratio(abs(2.0 * energy - all.work()), 2.0 * energy);
+  result.accuracy.force_balance = all.force_balance();
+  result.accuracy.moment_balance = all.moment_balance();
   return result;
 }
 

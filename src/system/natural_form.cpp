@@ -33,23 +33,27 @@ Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& a
   return m;
 }
 
+Vector6 force_magnitude(const BondNetwork& network, const Incidence& incidence,
+                        const BodyVectors<double>& motion, Index body) {
+  Vector6 sum = Vector6::Zero();
+  for (const Index k : incidence.of(body)) {
+    const Link& link = network.links[std::size_t(k)];
+    const Vector6 m = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    const Vector6 q = resultant_magnitude(link.stiffness, bond_axis<double>(link), m);
+    const double share = link.a == body ? link.fraction : 1 - link.fraction;
+    sum += q;
+    sum.tail<3>() += cross_magnitude((share * link.branch).cwiseAbs(), q.head<3>());
+  }
+  return sum;
+}
+
 BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence& incidence,
                                      const BodyVectors<double>& motion, int threads) {
   BodyVectors<double> magnitude(std::size_t(network.bodies));
 #pragma omp parallel for schedule(static) \
     num_threads(threads) if (threads > 1 && network.bodies > worth_threads)
-  for (Index p = 0; p < network.bodies; ++p) {
-    Vector6 sum = Vector6::Zero();
-    for (const Index k : incidence.of(p)) {
-      const Link& link = network.links[std::size_t(k)];
-      const Vector6 m = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
-      const Vector6 q = resultant_magnitude(link.stiffness, bond_axis<double>(link), m);
-      const double share = link.a == p ? link.fraction : 1 - link.fraction;
-      sum += q;
-      sum.tail<3>() += cross_magnitude((share * link.branch).cwiseAbs(), q.head<3>());
-    }
-    magnitude[std::size_t(p)] = sum;
-  }
+  for (Index p = 0; p < network.bodies; ++p)
+    magnitude[std::size_t(p)] = force_magnitude(network, incidence, motion, p);
   return magnitude;
 }
 

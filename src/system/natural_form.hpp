@@ -39,6 +39,21 @@ BodyVectors<Scalar> link_resultants(const BondNetwork& network, const BodyVector
   return q;
 }
 
+/// B^T C B u at one body: the force that must act on it from outside.
+template <class Scalar>
+Vector6T<Scalar> force_on_body(const BondNetwork& network, const Incidence& incidence,
+                               const BodyVectors<Scalar>& motion, Index body) {
+  Vector6T<Scalar> sum = Vector6T<Scalar>::Zero();
+  for (const Index k : incidence.of(body)) {
+    const Link& link = network.links[std::size_t(k)];
+    const auto delta =
+        relative_motion<Scalar>(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    const auto q = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link), delta);
+    sum -= link.a == body ? force_on_a<Scalar>(link, q) : force_on_b<Scalar>(link, q);
+  }
+  return sum;
+}
+
 /// B^T q gathered at every body: the force that must act on the body from outside.
 template <class Scalar>
 BodyVectors<Scalar> gather_forces(const BondNetwork& network, const Incidence& incidence,
@@ -62,6 +77,10 @@ BodyVectors<Scalar> gather_forces(const BondNetwork& network, const Incidence& i
 /// B^T C B u would add up to if none cancelled.
 BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence& incidence,
                                      const BodyVectors<double>& motion, int threads);
+
+/// The same at one body.
+Vector6 force_magnitude(const BondNetwork& network, const Incidence& incidence,
+                        const BodyVectors<double>& motion, Index body);
 
 /// |B| |u| of a link: relative displacement and rotation without cancellation.
 Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b);

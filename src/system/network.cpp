@@ -23,12 +23,12 @@ BondNetwork bond_network(const Model& model, std::span<const BondProperties> pro
   BondNetwork network;
   network.bodies = Index(model.particles.size());
   network.rotation_length = rotation_length(model);
-  network.links.resize(model.bonds.size());
+  network.links.reserve(model.bonds.size());
   for (std::size_t k = 0; k < model.bonds.size(); ++k) {
     const Bond& bond = model.bonds[k];
     SectionStiffness stiffness = properties[k].stiffness;
     if (!properties[k].moments_fed_back) stiffness.kt = stiffness.kb = 0;
-    network.links[k] = {bond.a, bond.b, bond.branch, properties[k].fraction, stiffness};
+    network.links.push_back({bond.a, bond.b, bond.branch, properties[k].fraction, stiffness});
   }
   return network;
 }

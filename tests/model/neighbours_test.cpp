@@ -57,6 +57,14 @@ TEST_P(Polydisperse, PairsAreThoseOfBruteForce) {
   EXPECT_GT(found, 300u);
 }
 
+TEST_P(Polydisperse, PairsDoNotDependOnTheThreads) {
+  const Spheres spheres = random_spheres(20000, GetParam(), 1.0, 9);
+  const Pairs pairs = touching_pairs(spheres.positions, spheres.reach);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  for (const int threads : {2, 4})
+    EXPECT_EQ(touching_pairs(spheres.positions, spheres.reach, threads), pairs);
+}
+
 INSTANTIATE_TEST_SUITE_P(Spreads, Polydisperse, testing::Values(1.0, 2.0, 10.0, 1000.0, 1e6));
 
 TEST(Neighbours, OfNoneAndOne) {
