@@ -4,6 +4,8 @@
 # libopenblas0-pthread by name: libsuitesparse-dev is content with the much slower reference BLAS.
 solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev
                  nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev)
+# PETSc brings MPI and about 90 packages: only for those who ask for it, and for the tests.
+petsc_packages=(petsc-dev pkgconf)
 test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox)
 
 say() { echo "bondstatic: $*" >&2; }

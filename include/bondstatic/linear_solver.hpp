@@ -24,7 +24,7 @@ struct AnalysisReport {
 struct FactorReport {
   /// Smallest ratio of a pivot to the diagonal entry it came from: near rounding where the matrix is
   /// numerically singular. Zero where the factorisation broke down; then `broken_at` is the unknown where it
-  /// did.
+  /// did, or -1 where the solver cannot tell. 1 where it does not know its pivots.
   double pivot_ratio = 1;
   Index broken_at = -1;
 };
@@ -44,7 +44,8 @@ class LinearSolver {
   /// Order and analyse the pattern of K. To be called again only where links or free dofs change.
   virtual AnalysisReport analyse(const BondNetwork& network, const FreeDofs& dofs) = 0;
 
-  /// Assemble and factorise; the pattern is that of the last analyse(), the stiffness may have changed.
+  /// Assemble and factorise; the pattern is that of the last analyse(), the stiffness may have changed. Both
+  /// arguments must last as long as solve() is called.
   virtual FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) = 0;
 
   /// Solve for all columns at once; rows are unknowns. An iterative solver stops where it has reduced the
@@ -59,6 +60,7 @@ class LinearSolver {
 struct SolverInfo {
   std::string name;
   std::string description;
+  bool on_ranks = false;  ///< may run as several processes under an MPI launcher
 };
 
 /// The solvers of this build, best first.

@@ -17,7 +17,7 @@ enum class Unsupported { error, drop };
 struct StaticOptions {
   std::string solver = "auto";
   std::vector<std::string> backend_options;  ///< handed on to the solver's own library (PETSc)
-  int threads = 0;           ///< at most; 0: the cores at hand
+  int threads = 0;                           ///< at most; 0: the cores at hand
   bool yield_cores = true;   ///< fewer threads where other processes keep cores busy; the answer is the same
   double tolerance = 1e-12;  ///< on the backward error
   Unsupported unsupported = Unsupported::error;
@@ -27,7 +27,9 @@ struct StaticOptions {
 
 /// How good the answer is. Norms run over all unknowns, rotations times network.rotation_length.
 struct Accuracy {
-  double backward_error = 0;  ///< max |f - K u| / (|B^T| |C| |B| |u| + |f|), residual in natural form
+  /// max |f - K u| / (|B^T| |C| |B| |u| + |f|), residual in natural form; rows of nothing but noise are held
+  /// against what they could carry.
+  double backward_error = 0;
   double forward_error = 0;   ///< bound on max |u - exact| / max |exact|
   int refinements = 0;
   double pivot_ratio = 1;
@@ -48,10 +50,12 @@ struct Phase {
 
 struct StaticReport {
   std::string solver;
-  int threads = 1;          ///< used
-  int threads_asked = 1;    ///< more than used where the machine was busy
-  AnalysisReport analysis;  ///< of the largest system where supports differ between load cases
+  std::string solver_reason;  ///< why "auto" chose it; "" where it was asked for by name
+  int threads = 1;            ///< used
+  int threads_asked = 1;      ///< more than used where the machine was busy
+  AnalysisReport analysis;    ///< of the largest system where supports differ between load cases
   int factorisations = 0;
+  Index iterations = 0;  ///< of an iterative solver, all rounds of the slowest load case; 0: a direct one
   std::vector<Phase> phases;
   double peak_bytes = 0;                    ///< resident peak of the process
   std::vector<std::vector<Index>> dropped;  ///< bodies left out, by model position

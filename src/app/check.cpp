@@ -6,7 +6,7 @@
 #include "app/relax_report.hpp"
 #include "app/run_case.hpp"
 #include "app/single_file.hpp"
-#include "app/terminal.hpp"
+#include "app/status_line.hpp"
 
 namespace bondstatic {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/ranked.hpp"
 #include "io/nearest_name.hpp"
 
 namespace bondstatic {
@@ -67,11 +68,23 @@ void add_solve_options(CLI::App& command, SolveArguments& arguments) {
       ->check(CLI::Range(1, 4096));
 }
 
+/// What follows "--" is for the solver's own library. CLI11 would refuse it for a subcommand, so that it is
+/// taken off the end here.
+std::vector<std::string> take_backend_options(int& argc, char** argv) {
+  char** const end = argv + argc;
+  char** const dashes = std::find(argv, end, std::string_view("--"));
+  if (dashes == end) return {};
+  argc = int(dashes - argv);
+  return {dashes + 1, end};
+}
+
 }  // namespace
 
-ExitCode run_command_line(int argc, char** argv) {
+ExitCode run_command_line(int argc, char** argv, Ranks* ranks) {
+  const std::vector<std::string> backend_options = take_backend_options(argc, argv);
   CLI::App app{"The static answer of a bonded-particle DEM model, right to the last digits."};
   app.name("bondstatic");
+  app.footer("Options of the solver's own library (PETSc) stand at the end, behind --.");
   app.set_version_flag("--version", version_text);
 
   SolveArguments solve_arguments;
@@ -134,7 +147,14 @@ ExitCode run_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     explain(app, error);
   }
-  if (*solve_command) return solve(solve_arguments);
+  for (SolveArguments* arguments :
+       {&solve_arguments, &sweep_arguments.solve, &relax_arguments.solve, &check_arguments})
+    arguments->backend_options = backend_options;
+  if (!backend_options.empty() && (*laws_command || *solvers_command))
+    misused(fmt::format("unexpected argument \"{}\"", backend_options.front()), app);
+  if (*solve_command) return solve(solve_arguments, ranks);
+  for (const CLI::App* command : {sweep_command, relax_command, check_command})
+    if (*command) refuse_ranks(ranks, command->get_name());
   if (*sweep_command) return sweep(sweep_arguments);
   if (*relax_command) return relax(relax_arguments);
   if (*check_command) return check(check_arguments);

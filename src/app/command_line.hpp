@@ -2,11 +2,12 @@
 #pragma once
 
 #include "bondstatic/error.hpp"
+#include "solver/ranks.hpp"
 
 namespace bondstatic {
 
 /// Throws Error (invalid_input) for a usage error, with the nearest name where one is near, and what the
-/// commands throw.
-ExitCode run_command_line(int argc, char** argv);
+/// commands throw. `ranks`: the processes that were launched together, null for one.
+ExitCode run_command_line(int argc, char** argv, Ranks* ranks = nullptr);
 
 }  // namespace bondstatic

@@ -6,18 +6,21 @@
 #include <vector>
 
 #include "bondstatic/error.hpp"
+#include "solver/ranks.hpp"
 
 namespace bondstatic {
 
 struct SolveArguments {
   std::string file;
-  std::string folder;                  ///< of the results; "" writes none
-  std::vector<std::string> overrides;  ///< KEY=VALUE
-  std::string solver;                  ///< "": the case's choice
-  int threads = 0;                     ///< 0: the case's choice
+  std::string folder;                        ///< of the results; "" writes none
+  std::vector<std::string> overrides;        ///< KEY=VALUE
+  std::string solver;                        ///< "": the case's choice
+  std::vector<std::string> backend_options;  ///< what stands behind --, for the solver's own library
+  int threads = 0;                           ///< 0: the case's choice
   bool json = false;
 };
-ExitCode solve(const SolveArguments& arguments);
+/// `ranks`: the processes that solve it together, null for one.
+ExitCode solve(const SolveArguments& arguments, Ranks* ranks = nullptr);
 
 struct SweepArguments {
   SolveArguments solve;

@@ -8,6 +8,7 @@
 #include "app/interrupt.hpp"
 #include "app/relax_report.hpp"
 #include "app/run_case.hpp"
+#include "app/status_line.hpp"
 #include "app/terminal.hpp"
 #include "io/archive.hpp"
 #include "io/replace_file.hpp"

@@ -15,7 +15,10 @@ namespace {
 std::string counts(const Case& given) {
   const Model& model = given.model;
   std::map<std::string, Index> laws;
-  for (const Bond& bond : model.bonds) ++laws[model.blocks[std::size_t(bond.block)].law];
+  std::vector<Index> in_block(model.blocks.size());
+  for (const Bond& bond : model.bonds) ++in_block[std::size_t(bond.block)];
+  for (std::size_t b = 0; b < in_block.size(); ++b)
+    if (in_block[b] > 0) laws[model.blocks[b].law] += in_block[b];
   std::string by_law;
   for (const auto& [law, count] : laws)
     by_law += (by_law.empty() ? "" : ", ") + (laws.size() == 1 ? law : fmt::format("{} {}", count, law));
@@ -117,8 +120,10 @@ Table facts(const Case& given, const StaticSolution& solution) {
       {"balance", fmt::format("forces {:.1e}, moments {:.1e}, energy and work {:.1e}", worst.force_balance,
                               worst.moment_balance, worst.energy_balance)});
   table.rows.push_back(
-      {"solved", fmt::format("{} by {} ({}) in {}", counted(report.analysis.unknowns, "unknown"),
-                             report.solver, threads(report), seconds_text(seconds))});
+      {"solved", fmt::format("{} by {} ({}) in {}{}", counted(report.analysis.unknowns, "unknown"),
+                             report.solver, threads(report), seconds_text(seconds),
+                             report.iterations > 0 ? ", " + counted(report.iterations, "iteration") : "")});
+  if (!report.solver_reason.empty()) table.rows.push_back({"chosen", report.solver_reason});
   table.rows.push_back(
       {"memory", fmt::format("{} for the solve predicted, {} at the peak of the process",
                              bytes_text(report.analysis.predicted_bytes), bytes_text(report.peak_bytes))});

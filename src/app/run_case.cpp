@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "solver/machine.hpp"
+
 namespace bondstatic {
 
 Case read_case(const SolveArguments& arguments, const std::vector<std::string>& overrides, Purpose purpose) {
-  Case given = read_case(arguments.file, overrides, arguments.folder, purpose);
+  const int threads = arguments.threads > 0 ? arguments.threads : cores_at_hand();
+  Case given = read_case(arguments.file, overrides, arguments.folder, purpose, threads);
   if (!arguments.solver.empty()) given.solve.solver = arguments.solver;
+  given.solve.backend_options = arguments.backend_options;
   if (arguments.threads > 0) given.solve.threads = arguments.threads;
   return given;
 }

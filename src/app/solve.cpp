@@ -4,21 +4,27 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/ranked.hpp"
 #include "app/report.hpp"
 #include "app/run_case.hpp"
-#include "app/terminal.hpp"
+#include "app/status_line.hpp"
 
 namespace bondstatic {
 
-ExitCode solve(const SolveArguments& arguments) {
+ExitCode solve(const SolveArguments& arguments, Ranks* ranks) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  const Case given = read_case(arguments, arguments.overrides);
-  const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (!arguments.folder.empty()) check_result_folder(given.model, arguments.folder);
-
   StatusLine status;
+  status.show("read");
+  Case given = read_case(arguments, arguments.overrides);
+  prepare_for_ranks(given.solve, ranks);
+  const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
+  if (!arguments.folder.empty() && is_first(ranks)) check_result_folder(given.model, arguments.folder);
+  agree(ranks);
+
   Answer result = answer(given, [&](const std::string& phase) { status.show(phase); });
+  agree(ranks);
+  if (!is_first(ranks)) return ExitCode::done;
   auto& phases = result.solution.report.phases;
   phases.insert(phases.begin(), {"read", reading});
 
@@ -27,7 +33,7 @@ ExitCode solve(const SolveArguments& arguments) {
     status.show("write");
     const DeferredInterrupts guard;
     write_results(given.model, run, result.solution, result.outputs, arguments.folder,
-                  DeferredInterrupts::check);
+                  DeferredInterrupts::check, [&](double part) { status.show("write", part); });
   }
   status.clear();
 

@@ -9,7 +9,7 @@
 #include "app/commands.hpp"
 #include "app/run_case.hpp"
 #include "app/single_file.hpp"
-#include "app/terminal.hpp"
+#include "app/status_line.hpp"
 #include "app/vary.hpp"
 #include "io/csv_writer.hpp"
 

@@ -78,20 +78,6 @@ std::string wrapped(const std::string& text, int indent) {
   return result;
 }
 
-StatusLine::StatusLine() : active_(shows_style(stderr)) {}
-
-void StatusLine::show(const std::string& text) {
-  if (!active_) return;
-  fmt::print(stderr, "\r\033[K{} ...", text);
-  std::fflush(stderr);
-  shown_ = true;
-}
-
-void StatusLine::clear() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
-  shown_ = false;
-}
-
 std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }

@@ -1,4 +1,4 @@
-// What the terminal gets: tables, emphasis where it can show it, and a line that says what is going on.
+// What the terminal gets: tables, and emphasis where it can show it.
 #pragma once
 
 #include <cstdio>
@@ -23,22 +23,6 @@ std::string to_text(const Table& table, int indent);
 
 /// Lines of at most 100 characters, broken at blanks; all but the first are indented.
 std::string wrapped(const std::string& text, int indent);
-
-/// One line on standard error that is written over and over; nothing where that is no terminal.
-class StatusLine {
- public:
-  StatusLine();
-  ~StatusLine() { clear(); }
-  StatusLine(const StatusLine&) = delete;
-  StatusLine& operator=(const StatusLine&) = delete;
-
-  void show(const std::string& text);
-  void clear();
-
- private:
-  bool active_;
-  bool shown_ = false;
-};
 
 /// "1.23 s", "45 ms"
 std::string seconds_text(double seconds);

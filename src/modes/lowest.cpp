@@ -3,6 +3,7 @@
 
 #include "modes/eigenpairs.hpp"
 #include "modes/masses.hpp"
+#include "system/natural_form.hpp"
 
 namespace bondstatic {
 
@@ -30,6 +31,28 @@ Mode mode_of(const BondNetwork& network, const FreeDofs& dofs, const Eigen::Vect
   return mode;
 }
 
+// K^-1 f. An iterative solver's first answer is good to a few digits: what it leaves is formed and solved for
+// once more.
+Eigen::VectorXd solved(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                       LinearSolver& solver, const Eigen::VectorXd& force) {
+  Eigen::VectorXd x = solver.solve(force).col(0);
+  if (!solver.iterative()) return x;
+  const double length = network.rotation_length;
+  const auto for_each_unknown = [&](auto visit) {
+    Index unknown = 0;
+    for (std::size_t p = 0; p < dofs.free.size(); ++p)
+      for (int i = 0; i < 6; ++i)
+        if (dofs.is_free(Index(p), i)) visit(p, i, i < 3 ? 1 : length, unknown++);
+  };
+  BodyVectors<double> motion(dofs.free.size(), Vector6::Zero());
+  for_each_unknown([&](std::size_t p, int i, double scale, Index n) { motion[p][i] = x[n] / scale; });
+  const auto q = link_resultants<double>(network, motion, 1);
+  const auto carried = gather_forces<double>(network, incidence, q, 1);
+  Eigen::VectorXd left = force;
+  for_each_unknown([&](std::size_t p, int i, double scale, Index n) { left[n] -= carried[p][i] / scale; });
+  return x + solver.solve(left).col(0);
+}
+
 }  // namespace
 
 std::vector<Mode> lowest_modes(const BondNetwork& network, const FreeDofs& dofs, const BodyMasses& masses,
@@ -39,9 +62,11 @@ std::vector<Mode> lowest_modes(const BondNetwork& network, const FreeDofs& dofs,
   if (count <= 0) return {};
   const Eigen::VectorXd roots = mass_roots(masses, dofs);
   const Eigen::VectorXd weights = solver_weights(roots, dofs, network.rotation_length);
+  const Incidence incidence = link_incidence(network);
   const Operator flexibility = [&](const double* x, double* y) {
     const Eigen::VectorXd force = weights.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(x, n));
-    Eigen::Map<Eigen::VectorXd>(y, n) = weights.cwiseProduct(factorised.solve(force).col(0));
+    Eigen::Map<Eigen::VectorXd>(y, n) =
+        weights.cwiseProduct(solved(network, incidence, dofs, factorised, force));
   };
   const EigenPairs pairs = largest_eigenpairs(n, flexibility, count);
   std::vector<Mode> modes;

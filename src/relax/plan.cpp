@@ -84,8 +84,9 @@ Slow slow_modes(const PlanInput& input, const RelaxOptions& options, const Stati
   const double pivots = solver->factorise(input.network, dofs).pivot_ratio;
   Slow slow;
   slow.modes = lowest_modes(input.network, dofs, body_masses(input.model), *solver, modes_told);
+  Effort effort;
   const auto refined = solve_refined(input.network, link_incidence(input.network), dofs, {&input.boundary},
-                                     *solver, pivots, threads);
+                                     solver.get(), pivots, threads, effort, {});
   for (const auto& motion : refined.front().motion)
     slow.displacement = std::max(slow.displacement, motion.cast<double>().head<3>().norm());
   return slow;

@@ -9,6 +9,8 @@ namespace {
 
 Json solver_of(const StaticReport& report) {
   return {{"name", report.solver},
+          {"reason", report.solver_reason},
+          {"iterations", report.iterations},
           {"threads", report.threads},
           {"threads_asked", report.threads_asked},
           {"ordering", report.analysis.ordering},

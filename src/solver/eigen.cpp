@@ -5,6 +5,7 @@
 
 #include "bondstatic/error.hpp"
 #include "solver/backends.hpp"
+#include "solver/cost_model.hpp"
 #include "solver/expand_ordering.hpp"
 #include "system/assemble.hpp"
 
@@ -43,8 +44,11 @@ class EigenSolver final : public LinearSolver {
     report.matrix_entries = matrix_.nonZeros();
     report.factor_entries = factor_.entries();
     report.factor_flops = factor_.flops();
+    // The factor, K three times (as assembled, permuted, and the copy that the factorisation takes) and the
+    // lists of the bodies.
+    const double links = double(network.links.size()), bodies = double(network.bodies);
     report.predicted_bytes = 16.0 * double(report.factor_entries) + 48.0 * double(report.matrix_entries) +
-                             96.0 * double(network.links.size()) + 4 * 96.0 * double(network.bodies);
+                             32.0 * links + 16.0 * bodies + solution_bytes(links, bodies);
     return report;
   }
 
@@ -79,10 +83,19 @@ class EigenSolver final : public LinearSolver {
       std::iota(order.begin(), order.end(), Index(0));
       return order;
     }
+    // With the diagonal: Eigen's AMD puts a column without one last, as it does dense ones.
     SparseMatrix pattern(bodies, bodies);
-    pattern.resizeNonZeros(Index(graph_.neighbour.size()));
-    std::copy(graph_.offset.begin(), graph_.offset.end(), pattern.outerIndexPtr());
-    std::copy(graph_.neighbour.begin(), graph_.neighbour.end(), pattern.innerIndexPtr());
+    pattern.resizeNonZeros(Index(graph_.neighbour.size()) + bodies);
+    Index at = 0;
+    for (Index p = 0; p < bodies; ++p) {
+      pattern.outerIndexPtr()[p] = at;
+      const Index* next = graph_.neighbour.data() + graph_.offset[std::size_t(p)];
+      const Index* end = graph_.neighbour.data() + graph_.offset[std::size_t(p) + 1];
+      while (next != end && *next < p) pattern.innerIndexPtr()[at++] = *next++;
+      pattern.innerIndexPtr()[at++] = p;
+      while (next != end) pattern.innerIndexPtr()[at++] = *next++;
+    }
+    pattern.outerIndexPtr()[bodies] = at;
     std::fill_n(pattern.valuePtr(), pattern.nonZeros(), 1.0);
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> elimination;
     Eigen::AMDOrdering<Index>()(pattern, elimination);

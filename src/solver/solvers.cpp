@@ -5,6 +5,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/linear_solver.hpp"
 #include "solver/backends.hpp"
+#include "solver/petsc_module.hpp"
 
 namespace bondstatic {
 
@@ -13,6 +14,7 @@ namespace {
 struct Backend {
   SolverInfo info;
   std::unique_ptr<LinearSolver> (*make)(int threads);
+  MakeModuleSolver PetscModule::*in_module = nullptr;  ///< instead of `make`: of the PETSc module
 };
 
 const std::vector<Backend>& backends() {
@@ -21,7 +23,17 @@ const std::vector<Backend>& backends() {
       {{"cholmod", "CHOLMOD, supernodal Cholesky on BLAS, ordered on particles by METIS or AMD"},
        make_cholmod},
 #endif
+      {{"multigrid",
+        "clump multigrid: conjugate gradients with rigid clumps of particles; for large packings"},
+       make_multigrid},
       {{"eigen", "Eigen's SimplicialLDLT, ordered on particles by AMD; for small models"}, make_eigen},
+      {{"petsc", "PETSc's conjugate gradients with GAMG on the rigid modes, on MPI ranks; options behind --",
+        true},
+       nullptr,
+       &PetscModule::iterative},
+      {{"petsc-mumps", "MUMPS by PETSc, multifrontal, on MPI ranks; options behind --", true},
+       nullptr,
+       &PetscModule::direct},
   };
   return table;
 }
@@ -30,7 +42,9 @@ const std::vector<Backend>& backends() {
 
 std::vector<SolverInfo> available_solvers() {
   std::vector<SolverInfo> list;
-  for (const Backend& backend : backends()) list.push_back(backend.info);
+  const bool petsc = !petsc_module_path().empty();
+  for (const Backend& backend : backends())
+    if (!backend.in_module || petsc) list.push_back(backend.info);
   return list;
 }
 
@@ -39,10 +53,12 @@ std::unique_ptr<LinearSolver> make_solver(const std::string& name, int threads,
   std::vector<std::string> names{"auto"};
   for (const Backend& backend : backends()) {
     if (name == backend.info.name || name == "auto") {
+      if (backend.in_module) return (petsc_module().*backend.in_module)(threads, backend_options);
       if (!backend_options.empty())
-        throw Error(ExitCode::invalid_input,
-                    fmt::format("solver \"{}\" takes no options of its own, found {}\n    cure: leave them out",
-                                backend.info.name, fmt::join(backend_options, " ")));
+        throw Error(
+            ExitCode::invalid_input,
+            fmt::format("solver \"{}\" takes no options of its own, found {}\n    cure: leave them out",
+                        backend.info.name, fmt::join(backend_options, " ")));
       return backend.make(threads);
     }
     names.push_back(backend.info.name);

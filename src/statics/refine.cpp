@@ -35,9 +35,13 @@ Eigen::VectorXd to_unknowns(const BodyVectors<Scalar>& forces, const FreeDofs& d
 
 BodyVectors<Extended> residual(const BondNetwork& network, const Incidence& incidence,
                                const Boundary& boundary, const BodyVectors<Extended>& motion, int threads) {
+  BodyVectors<Extended> r = converted<Extended>(boundary.load);
+  // Nearly always so at the start.
+  const auto at_rest = [](const Vector6T<Extended>& u) { return u.isZero(Extended(0.0)); };
+  if (std::all_of(motion.begin(), motion.end(), at_rest)) return r;
   const auto q = link_resultants<Extended>(network, motion, threads);
-  auto r = gather_forces<Extended>(network, incidence, q, threads);
-  for (std::size_t p = 0; p < r.size(); ++p) r[p] = boundary.load[p].cast<Extended>() - r[p];
+  const auto carried = gather_forces<Extended>(network, incidence, q, threads);
+  for (std::size_t p = 0; p < r.size(); ++p) r[p] -= carried[p];
   return r;
 }
 
@@ -62,41 +66,77 @@ BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence&
   return gather_forces<double>(network, incidence, q, 1);
 }
 
-// Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double.
+// Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double. Where
+// all terms of a row vanish by symmetry but for noise, the row is held against what it could carry (M.
+// Arioli, J. W. Demmel, I. S. Duff, SIAM J. Matrix Anal. Appl. 10, 1989).
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
-                      const Boundary& boundary, const BodyVectors<double>& motion, int threads) {
+                      const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads) {
   const auto r = residual(network, incidence, boundary, converted<Extended>(motion), threads);
   const auto magnitude = force_magnitudes(network, incidence, motion, threads);
+  constexpr double doubtful = 0x1p-50, noise = 1000 * double_rounding;
+  Vector6 everywhere = Vector6::Constant(size);
+  everywhere.tail<3>() /= network.rotation_length;
+  BodyVectors<double> largest;  // seldom needed
   double worst = 0;
   for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
-    const double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
-    if (scale > 0) worst = std::max(worst, std::abs(to_double(r[p][i])) / scale);
+    double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
+    if (!(scale > 0)) return;
+    const double left = std::abs(to_double(r[p][i]));
+    if (left > doubtful * scale) {
+      if (largest.empty()) largest.assign(motion.size(), everywhere);
+      const double possible = force_magnitude(network, incidence, largest, Index(p))[i];
+      if (scale <= noise * possible) scale += possible;
+    }
+    worst = std::max(worst, left / scale);
   });
   return worst;
 }
 
+constexpr double last_digit = 0x1p-57;      // of a displacement
+constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residual
+
 // One load case on its way to the last digit.
 struct Iterate {
   BodyVectors<Extended> motion;
-  double correction = 0;  // largest entry of the last correction, rotations times the length
-  double size = 0;        // largest entry of the answer, likewise
+  double first_residual = 0, residual = 0;  // largest entry, of the start and of the latest round
+  double force_contraction = 1;             // of the residual, by the latest round
+  double correction = 0;                    // largest entry of the last one, rotations times the length
+  double contraction = 1;                   // of corrections, by the latest round
+  double size = 0;                          // largest entry of the answer, likewise
   int steps = 0;
+  int setbacks = 0;  // rounds in a row that did not contract
   bool done = false;
 
-  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, double pivot_ratio) {
+  Eigen::VectorXd round(const BondNetwork& network, const Incidence& incidence, const Boundary& boundary,
+                        const FreeDofs& dofs, int threads) {
+    Eigen::VectorXd r = to_unknowns(bondstatic::residual(network, incidence, boundary, motion, threads), dofs,
+                                    network.rotation_length);
+    const double before = residual;
+    residual = r.lpNorm<Eigen::Infinity>();
+    if (steps == 0) first_residual = residual;
+    force_contraction = before > 0 ? residual / before : 1;
+    return r;
+  }
+
+  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length) {
     const double before = correction;
     correction = step.lpNorm<Eigen::Infinity>();
+    contraction = steps > 0 && before > 0 ? correction / before : 1;
     size = 0;
     for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
       const double scale = i < 3 ? 1 : length;
       motion[p][i] += Extended(step[unknown]) / scale;
       size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
     });
-    // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
-    // rounding they are the noise of the residual, and the answer is as good as it gets.
-    const bool at_rounding = correction <= extended_rounding * size;
-    const bool stagnant = steps > 0 && correction > 0.5 * before;
-    if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps == most_refinements)
+    setbacks = steps > 0 && contraction > 0.5 ? setbacks + 1 : 0;
+    ++steps;
+  }
+
+  // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
+  // rounding they are the noise of the residual, and the answer is as good as it gets.
+  void judge_direct(double pivot_ratio) {
+    const bool at_rounding = correction <= extended_rounding * size, stagnant = setbacks > 0;
+    if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps > most_refinements)
       throw AccuracyError(
           fmt::format("the stiffness matrix is numerically singular: corrections stay at {:.1e} of the "
                       "answer (smallest pivot "
@@ -105,12 +145,30 @@ struct Iterate {
                       "support that is missing in all but rounding",
                       correction / size, pivot_ratio));
     done = at_rounding || stagnant;
-    ++steps;
   }
 
-  void drop_negligible(const FreeDofs& dofs, double length) {
+  // A single round may fall back: a slow mode shows only after the fast ones are gone.
+  void judge_iterative(const SolveReport& last) {
+    constexpr int most_setbacks = 3;
+    if (!std::isfinite(correction) || setbacks >= most_setbacks || steps > most_refinements)
+      throw AccuracyError(fmt::format(
+          "the iterative solver does not converge: corrections stay at {:.1e} of the answer after {} rounds, "
+          "the last of {} iterations brought the residual to {:.1e} of what it was\n"
+          "    cure: a direct solver (--solver cholmod) if the model is small enough for one; look for "
+          "bodies "
+          "that hang by bonds many decades softer than the rest, and for long slender parts",
+          correction / size, steps, last.iterations, last.reduction));
+    const bool settled = steps > 1 && contraction < 0.5;
+    done = correction == 0 || (settled && contraction * correction <= last_digit * size &&
+                               force_contraction * residual <= force_rounding * first_residual);
+  }
+
+  double expected_error() const { return contraction * correction; }
+
+  void drop_negligible(const FreeDofs& dofs, double length, double noise) {
+    const double threshold = std::max(noise, negligible * size);
     for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
-      if (std::abs(to_double(motion[p][i])) * (i < 3 ? 1 : length) <= negligible * size) motion[p][i] = 0.0;
+      if (std::abs(to_double(motion[p][i])) * (i < 3 ? 1 : length) <= threshold) motion[p][i] = 0.0;
     });
   }
 };
@@ -119,8 +177,10 @@ struct Iterate {
 
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
-                                   LinearSolver& solver, double pivot_ratio, int threads) {
+                                   LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
+                                   const std::function<void(const std::string&)>& progress) {
   const double length = network.rotation_length;
+  const bool iterative = solver && solver->iterative();
   std::vector<Iterate> iterates(cases.size());
   for (std::size_t c = 0; c < cases.size(); ++c)
     iterates[c].motion = converted<Extended>(cases[c]->prescribed);
@@ -129,36 +189,52 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
   const auto all_done = [&] {
     return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
   };
-  while (dofs.unknowns() > 0 && !all_done()) {
+  for (int round = 1; dofs.unknowns() > 0 && !all_done(); ++round) {
     right_hand_sides.setZero();
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (!iterates[c].done)
-        right_hand_sides.col(Index(c)) =
-            to_unknowns(residual(network, incidence, *cases[c], iterates[c].motion, threads), dofs, length);
-    const Eigen::MatrixXd corrections = solver.solve(right_hand_sides);
-    for (std::size_t c = 0; c < cases.size(); ++c)
-      if (!iterates[c].done) iterates[c].add(corrections.col(Index(c)), dofs, length, pivot_ratio);
+        right_hand_sides.col(Index(c)) = iterates[c].round(network, incidence, *cases[c], dofs, threads);
+    const Eigen::MatrixXd corrections = solver->solve(right_hand_sides);
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      if (iterates[c].done) continue;
+      iterates[c].add(corrections.col(Index(c)), dofs, length);
+      if (iterative)
+        iterates[c].judge_iterative(solver->last_solve());
+      else
+        iterates[c].judge_direct(pivot_ratio);
+    }
+    if (!iterative) continue;
+    const SolveReport last = solver->last_solve();
+    effort.iterations += last.iterations;
+    if (!last.note.empty()) effort.notes.push_back(last.note);
+    if (progress)
+      progress(
+          fmt::format("round {}: {} iterations, correction {:.0e}", round, effort.iterations,
+                      iterates.front().size > 0 ? iterates.front().correction / iterates.front().size : 0));
   }
 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    iterates[c].drop_negligible(dofs, length);
+    iterates[c].drop_negligible(dofs, length, iterative ? iterates[c].expected_error() : 0);
     answers.push_back(converted<double>(iterates[c].motion));
-    right_hand_sides.col(Index(c)) =
-        to_unknowns(rounding_forces(network, incidence, answers[c]), dofs, length);
+    if (!iterative)
+      right_hand_sides.col(Index(c)) =
+          to_unknowns(rounding_forces(network, incidence, answers[c]), dofs, length);
   }
-  if (dofs.unknowns() > 0) right_hand_sides = solver.solve(right_hand_sides);
+  // What an iterative solver leaves is far above the rounding of the natural form: one solve is saved.
+  if (dofs.unknowns() > 0 && !iterative) right_hand_sides = solver->solve(right_hand_sides);
 
   std::vector<Refined> refined(cases.size());
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Accuracy& accuracy = refined[c].accuracy;
     accuracy.pivot_ratio = pivot_ratio;
     accuracy.refinements = std::max(0, iterates[c].steps - 1);
-    accuracy.backward_error = backward_error(network, incidence, dofs, *cases[c], answers[c], threads);
-    const double noise = right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>();
-    if (iterates[c].size > 0)
-      accuracy.forward_error =
-          double_rounding + negligible + (2 * iterates[c].correction + 4 * noise) / iterates[c].size;
+    accuracy.backward_error =
+        backward_error(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads);
+    const double left =
+        iterative ? 2 * iterates[c].expected_error()
+                  : 2 * iterates[c].correction + 4 * right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>();
+    if (iterates[c].size > 0) accuracy.forward_error = double_rounding + negligible + left / iterates[c].size;
     refined[c].motion = std::move(iterates[c].motion);
   }
   return refined;

@@ -4,9 +4,14 @@
 //     r = f - B^T C B u (extended),   K d = r (double factor),   u += d
 //
 // The error of u contracts by the relative error of the factorisation each time, down to the rounding of the
-// natural form in extended precision, far below the last digit of a double.
+// natural form in extended precision, far below the last digit of a double. An iterative solver costs as much
+// again each time, so it is asked no further than a double tells: until what the next correction would be,
+// were it to shrink as the last one did, is below the last digit, and what the next residual would be is
+// below rounding of the loads.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "bondstatic/linear_solver.hpp"
@@ -22,10 +27,18 @@ struct Refined {
   Accuracy accuracy;             ///< errors and number of refinements; balances are left to recovery
 };
 
-/// Solves all load cases of one factorisation at once. Throws AccuracyError where corrections do not
-/// contract.
+/// What iterative solves took in all: iterations of the slowest load case, notes for the user.
+struct Effort {
+  Index iterations = 0;
+  std::vector<std::string> notes;
+};
+
+/// Solves all load cases of one factorisation at once; `solver` may be null where nothing is unknown. Throws
+/// AccuracyError where corrections do not contract. `progress` hears of each round of an iterative solver;
+/// may be null.
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
-                                   LinearSolver& solver, double pivot_ratio, int threads);
+                                   LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
+                                   const std::function<void(const std::string&)>& progress);
 
 }  // namespace bondstatic

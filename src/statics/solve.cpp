@@ -6,6 +6,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/statics.hpp"
 #include "solver/machine.hpp"
+#include "statics/choose.hpp"
 #include "statics/held.hpp"
 #include "statics/recover.hpp"
 #include "statics/stopwatch.hpp"
@@ -31,19 +32,6 @@ std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
   return groups;
 }
 
-std::string size_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
-}
-
-void refuse_what_does_not_fit(const AnalysisReport& analysis, const StaticOptions& options) {
-  const double limit = options.memory_limit > 0 ? options.memory_limit : available_memory();
-  if (analysis.predicted_bytes <= limit) return;
-  throw MemoryError(
-      fmt::format("the solve of {} unknowns needs {} of memory, {} are at hand\n"
-                  "    cure: use a machine with more memory, or a smaller model",
-                  analysis.unknowns, size_text(analysis.predicted_bytes), size_text(limit)));
-}
-
 std::string unknown_name(const Model& model, const FreeDofs& dofs, Index unknown) {
   std::size_t p = 0;
   while (dofs.first[p + 1] <= unknown) ++p;
@@ -62,6 +50,28 @@ void check_pivots(const Model& model, const FreeDofs& dofs, const FactorReport& 
       where, factor.pivot_ratio));
 }
 
+// Factorises and refines the load cases of a group.
+std::vector<Refined> solved(const Model& model, const BondNetwork& network, const Incidence& incidence,
+                            const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
+                            LinearSolver* solver, const StaticOptions& options, Stopwatch& timed,
+                            StaticReport& report) {
+  const bool iterative = solver && solver->iterative();
+  FactorReport factor;
+  if (solver) {
+    factor = timed(iterative ? "set-up" : "factorisation", [&] { return solver->factorise(network, dofs); });
+    ++report.factorisations;
+    check_pivots(model, dofs, factor);
+  }
+  Effort effort;
+  auto refined = timed(iterative ? "iterations" : "refinement", [&] {
+    return solve_refined(network, incidence, dofs, cases, solver, factor.pivot_ratio, report.threads, effort,
+                         options.progress);
+  });
+  report.iterations = std::max(report.iterations, effort.iterations);
+  for (const std::string& note : effort.notes) report.warnings.push_back(report.solver + " " + note);
+  return refined;
+}
+
 }  // namespace
 
 StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
@@ -73,7 +83,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   report.solver = options.solver == "auto" ? available_solvers().front().name : options.solver;
 
   // 1. What each bond is: C, contact point, section.
-  const auto properties = timed("bonds", [&] { return bond_properties(model); });
+  const auto properties = timed("bonds", [&] { return bond_properties(model, report.threads); });
   const BondNetwork network = bond_network(model, properties);
   const Incidence incidence = link_incidence(network);
 
@@ -84,7 +94,6 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   std::vector<Group> groups = group_by_supports(boundaries);
   solution.cases.resize(boundaries.size());
 
-  const auto solver = make_solver(options.solver, report.threads, options.backend_options);
   for (Group& group : groups) {
     // 3. Motions that cost no energy never reach the solver.
     const auto& free = boundaries[group.cases.front()].free;
@@ -96,25 +105,38 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
       if (!lost.empty()) report.warnings.push_back(lost);
     }
 
-    // 4. Order, predict, assemble, factorise.
+    // 4. Choose a solver; order and predict, so that what does not fit ends before it is begun.
+    Chosen chosen;
     if (dofs.unknowns() > 0) {
-      const AnalysisReport analysis = timed("analysis", [&] { return solver->analyse(network, dofs); });
-      if (analysis.factor_entries >= report.analysis.factor_entries) report.analysis = analysis;
-      refuse_what_does_not_fit(analysis, options);
-    }
-    FactorReport factor;
-    if (dofs.unknowns() > 0) {
-      factor = timed("factorisation", [&] { return solver->factorise(network, dofs); });
-      ++report.factorisations;
-      check_pivots(model, dofs, factor);
+      chosen = timed("analysis", [&] { return choose(network, dofs, options, report.threads); });
+      if (chosen.analysis.factor_entries >= report.analysis.factor_entries) {
+        report.analysis = chosen.analysis;
+        report.solver = chosen.name;
+        report.solver_reason = chosen.reason;
+      }
     }
 
-    // 5. Solve and refine until the last digit stands.
+    // 5. Factorise, solve and refine until the last digit stands.
     std::vector<const Boundary*> loads;
     for (const std::size_t c : group.cases) loads.push_back(&boundaries[c]);
-    const auto refined = timed("refinement", [&] {
-      return solve_refined(network, incidence, dofs, loads, *solver, factor.pivot_ratio, report.threads);
-    });
+    std::vector<Refined> refined;
+    const auto solve_by = [&](Chosen& by) {
+      refined = solved(model, network, incidence, dofs, loads, by.solver.get(), options, timed, report);
+    };
+    try {
+      solve_by(chosen);
+    } catch (const AccuracyError&) {
+      if (chosen.reason.empty() || !chosen.solver->iterative()) throw;
+      chosen.solver.reset();
+      Chosen direct =
+          timed("analysis", [&] { return choose_direct(network, dofs, options, report.threads); });
+      if (!direct.solver) throw;
+      report.warnings.push_back(chosen.name + " did not converge; " + direct.name + " took over");
+      report.analysis = direct.analysis;
+      report.solver = direct.name;
+      solve_by(direct);
+    }
+    chosen.solver.reset();  // recovery needs memory, too
 
     // 6. Reactions, resultants, energy, balances.
     timed("recovery", [&] {

@@ -15,6 +15,7 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 struct BodyGraph {
   std::vector<Index> offset;
   std::vector<Index> neighbour;
+  bool operator==(const BodyGraph&) const = default;
 };
 BodyGraph body_graph(const BondNetwork& network, const Incidence& incidence);
 

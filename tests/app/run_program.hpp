@@ -1,4 +1,4 @@
-// Runs the bondstatic program as a process of its own.
+// Runs the bondstatic program, or another, as a process of its own.
 #pragma once
 
 #include <fcntl.h>
@@ -22,8 +22,8 @@ struct Ended {
 
 class Program {
  public:
-  explicit Program(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), BONDSTATIC_PROGRAM);
+  explicit Program(std::vector<std::string> arguments, const std::string& program = BONDSTATIC_PROGRAM) {
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -46,6 +46,7 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  pid_t id() const { return process_; }
   void send(int signal) const { kill(process_, signal); }
 
   bool running() const {

@@ -62,6 +62,14 @@ class Rooms(unittest.TestCase):
         self.assert_caught("src/solver/eigen.cpp", "#include <cholmod.h>\n", "src/solver/eigen.cpp:1",
                            "only solver/cholmod")
 
+    def test_petsc_and_mpi_outside_of_their_module(self):
+        self.assert_caught("src/solver/petsc.cpp", "#include <petscksp.h>\n", "src/solver/petsc.cpp:1", "only petsc/")
+        self.write("src/solver/petsc.cpp", "")
+        self.assert_caught("src/app/ranks.cpp", "#include <mpi.h>\n", "src/app/ranks.cpp:1", "only petsc/")
+
+    def test_including_from_the_module(self):
+        self.assert_caught("src/app/x.cpp", '#include "petsc/backends.hpp"\n', "src/app/x.cpp:1", "room petsc")
+
     def test_printing_in_the_library(self):
         self.assert_caught("src/statics/x.cpp", "void f() { std::cerr << 1; }\n", "src/statics/x.cpp:1", "prints")
 

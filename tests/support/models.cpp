@@ -1,5 +1,7 @@
 #include "support/models.hpp"
 
+#include <algorithm>
+
 #include <stdexcept>
 
 namespace bondstatic::test {
@@ -27,7 +29,9 @@ Index add_particle(Model& model, const Vector3& position, double radius) {
 
 void add_bond(Model& model, Index a, Index b, Index block) {
   Index in_block = 0;
-  for (const Bond& bond : model.bonds) in_block += bond.block == block;
+  const auto last = std::find_if(model.bonds.rbegin(), model.bonds.rend(),
+                                 [block](const Bond& bond) { return bond.block == block; });
+  if (last != model.bonds.rend()) in_block = last->in_block + 1;
   model.bonds.push_back({Index(model.bonds.size()) + 1, a, b,
                          model.particles[std::size_t(b)].position - model.particles[std::size_t(a)].position,
                          block, in_block});

@@ -1,0 +1,58 @@
+// K as PETSc's matrix, by rows over the ranks: each assembles the rows of its own bodies, nothing else.
+#pragma once
+
+#include <memory>
+
+#include "bondstatic/linear_solver.hpp"
+#include "petsc/handle.hpp"
+#include "petsc/layout.hpp"
+#include "system/incidence.hpp"
+
+namespace bondstatic {
+
+class DistributedSystem {
+ public:
+  /// The pattern; no values yet. PETSc must have been started. Throws Error (invalid_input) where it is
+  /// beyond PETSc's integers.
+  DistributedSystem(const BondNetwork& network, const FreeDofs& dofs);
+
+  /// Takes the memory for the matrix at the first call: what it will be is known before.
+  void assemble(const BondNetwork& network, const FreeDofs& dofs);
+
+  Mat matrix() const { return matrix_; }
+  /// Vectors of the matrix's layout, for right-hand sides, answers and residuals.
+  PetscVector make_vector() const;
+
+  /// The rigid modes, orthonormal, attached to the matrix as its near-null space: u = t + w x x, theta = w.
+  void attach_rigid_modes(const BondNetwork& network);
+
+  /// Zero where nothing is unknown. An iterative answer is not quite, as a preconditioner couples what the
+  /// matrix does not.
+  void clear_held(const FreeDofs& dofs, Vec vector) const;
+
+  /// From and to all unknowns in the order of FreeDofs; every rank gives and gets them all. Collective.
+  void scatter(const FreeDofs& dofs, Eigen::Ref<const Eigen::VectorXd> unknowns, Vec vector) const;
+  void gather(const FreeDofs& dofs, Vec vector, Eigen::Ref<Eigen::VectorXd> unknowns) const;
+
+  /// Unknowns and entries of K; what a method needs on top is the method's to fill in.
+  AnalysisReport report(const BondNetwork& network, const FreeDofs& dofs) const;
+  /// Of this rank's rows of K as PETSc stores them.
+  double matrix_bytes() const;
+  /// Sum over the ranks of this machine.
+  double on_this_machine(double bytes) const;
+
+ private:
+  std::span<const Index> own_bodies() const { return layout_.bodies_of(rank_); }
+
+  void allocate();
+
+  int rank_ = 0, ranks_ = 1;
+  Incidence incidence_;
+  std::vector<Vector3> positions_;
+  Layout layout_;
+  std::vector<BlockCount> counts_;  ///< of each own body
+  Index blocks_ = 0;                ///< of this rank's rows
+  PetscMatrix matrix_;
+};
+
+}  // namespace bondstatic

@@ -1,0 +1,122 @@
+// The clump multigrid as a backend: src/multigrid in float first, in double where float does not do.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "bondstatic/error.hpp"
+#include "multigrid/flexible_cg.hpp"
+#include "solver/backends.hpp"
+#include "solver/cost_model.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+using namespace multigrid;
+
+class Multigrid final : public LinearSolver {
+ public:
+  explicit Multigrid(int threads) : threads_(threads) {}
+
+  AnalysisReport analyse(const BondNetwork& network, const FreeDofs& dofs) override {
+    if (network.bodies >= std::numeric_limits<std::uint32_t>::max())
+      throw Error(ExitCode::invalid_input,
+                  fmt::format("multigrid numbers at most 2^32 - 1 particles, found {}\n"
+                              "    cure: --solver petsc on several machines",
+                              network.bodies));
+    incidence_ = link_incidence(network);
+    plan_ = {};
+    AnalysisReport report;
+    report.unknowns = dofs.unknowns();
+    report.ordering = "clumps";
+    report.matrix_entries = 36 * Index(network.links.size());
+    report.predicted_bytes =
+        linear_cost(network.bodies, Index(network.links.size()), multigrid_rates, threads_).bytes;
+    return report;
+  }
+
+  FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) override {
+    network_ = &network;
+    dofs_ = dofs;
+    double_.reset();
+    single_ = build_hierarchy<float>(network, incidence_, dofs, threads_, plan_);
+    if (single_->coarsest.positive()) return {};
+    to_double();
+    return double_->coarsest.positive() ? FactorReport{} : FactorReport{0, -1};
+  }
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) override {
+    Eigen::MatrixXd answer(right_hand_sides.rows(), right_hand_sides.cols());
+    report_ = {};
+    for (Index column = 0; column < right_hand_sides.cols(); ++column)
+      answer.col(column) = solve_one(right_hand_sides.col(column));
+    return answer;
+  }
+
+  bool iterative() const override { return true; }
+  SolveReport last_solve() const override { return report_; }
+
+ private:
+  void to_double() {
+    single_.reset();
+    double_ = build_hierarchy<double>(*network_, incidence_, dofs_, threads_, plan_);
+  }
+
+  Eigen::VectorXd solve_one(const Eigen::VectorXd& b) {
+    Rows<double> x, r = to_rows(b);
+    if (single_) {
+      const Convergence in_float = flexible_cg(*single_, {1e-6, 150, 20}, threads_, r, x);
+      if (in_float.reached) return to_unknowns(x, in_float, single_->units);
+      report_.note = fmt::format("went over to double precision after {} iterations", in_float.iterations);
+      report_.iterations += in_float.iterations;
+      to_double();
+      r = to_rows(b);
+    }
+    const Convergence in_double = flexible_cg(*double_, {1e-10, 2000, 200}, threads_, r, x);
+    return to_unknowns(x, in_double, double_->units);
+  }
+
+  Rows<double> to_rows(const Eigen::VectorXd& b) const {
+    const auto& body = plan_.numbering.front().body;
+    Rows<double> rows = make_rows<double>(Index(body.size()));
+    for (std::size_t row = 0; row < body.size(); ++row) {
+      Index unknown = dofs_.first[std::size_t(body[row])];
+      for (int i = 0; i < 6; ++i)
+        if (dofs_.is_free(body[row], i)) rows[row].at[i] = b[unknown++];
+    }
+    return rows;
+  }
+
+  Eigen::VectorXd to_unknowns(const Rows<double>& x, const Convergence& convergence, const Units& units) {
+    report_.iterations += convergence.iterations;
+    report_.reduction = std::max(report_.reduction, convergence.reduction);
+    report_.reached = report_.reached && convergence.reached;
+    const auto& body = plan_.numbering.front().body;
+    Eigen::VectorXd values(dofs_.unknowns());
+    for (std::size_t row = 0; row < body.size(); ++row) {
+      Index unknown = dofs_.first[std::size_t(body[row])];
+      for (int i = 0; i < 6; ++i)
+        if (dofs_.is_free(body[row], i)) values[unknown++] = x[row].at[i] / units.stiffness;
+    }
+    return values;
+  }
+
+  int threads_;
+  Incidence incidence_;
+  Plan plan_;
+  const BondNetwork* network_ = nullptr;
+  FreeDofs dofs_;
+  std::optional<Hierarchy<float>> single_;
+  std::optional<Hierarchy<double>> double_;
+  SolveReport report_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_multigrid(int threads) {
+  return std::make_unique<Multigrid>(threads);
+}
+
+}  // namespace bondstatic

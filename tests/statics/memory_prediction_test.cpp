@@ -1,0 +1,84 @@
+// The memory that the analysis predicts against the peak of the solve, in a process of its own.
+#include <gtest/gtest.h>
+#include <malloc.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "bondstatic/error.hpp"
+#include "bondstatic/statics.hpp"
+#include "support/models.hpp"
+
+namespace bondstatic::test {
+namespace {
+
+double status_bytes(const std::string& name) {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind(name + ":", 0) == 0) return 1024 * std::strtod(line.c_str() + name.size() + 1, nullptr);
+  return 0;
+}
+
+struct Bytes {
+  double predicted, peak;
+};
+
+void measure(const Model& model, Bytes& bytes) {
+  double stood = 0;
+  StaticOptions options;
+  options.solver = "cholmod";
+  options.threads = 1;
+  options.progress = [&](const std::string& phase) {
+    if (phase != "analysis") return;
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak counts from here
+    stood = status_bytes("VmRSS");
+  };
+  bytes.predicted = solve_statics(model, options).report.analysis.predicted_bytes;
+  bytes.peak = status_bytes("VmHWM") - stood;
+}
+
+Model packing(int edge) {
+  std::mt19937_64 random(3);
+  Model model = random_packing(random, edge, block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}}));
+  if (model.supports.empty()) fix_all(model, 0);
+  load(model, Index(model.particles.size()) - 1, vector6(1, 2, 3));
+  return model;
+}
+
+// Promised from 20,000 unknowns up; there, what does not grow with the model weighs most.
+TEST(MemoryPrediction, IsWithin15PercentOfThePeak) {
+  const Model model = packing(15);
+  void* shared = mmap(nullptr, sizeof(Bytes), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(shared, MAP_FAILED);
+  Bytes& bytes = *new (shared) Bytes{0, 0};
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    measure(model, bytes);
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+  EXPECT_GT(bytes.peak, 5e7);
+  EXPECT_LT(bytes.predicted, 1.15 * bytes.peak);
+  EXPECT_GT(bytes.predicted, 0.85 * bytes.peak);
+  munmap(shared, sizeof(Bytes));
+}
+
+TEST(MemoryPrediction, RefusesInTheAnalysisWhatDoesNotFit) {
+  const Model model = packing(8);
+  StaticOptions options;
+  options.memory_limit = 1e5;
+  std::vector<std::string> phases;
+  options.progress = [&](const std::string& phase) { phases.push_back(phase); };
+  EXPECT_THROW(solve_statics(model, options), MemoryError);
+  ASSERT_FALSE(phases.empty());
+  EXPECT_EQ(phases.back(), "analysis");
+}
+
+}  // namespace
+}  // namespace bondstatic::test
