@@ -1,0 +1,17 @@
+// All solvers of the build on packings that grow: a Markdown table, growth exponents and a plot.
+#pragma once
+
+#include <string>
+
+namespace bondstatic::bench {
+
+struct Campaign {
+  bool million = false;  ///< a million particles, too
+  bool quick = false;    ///< 1,000 and 8,000 particles only
+  double longest = 900;  ///< seconds that one measurement may take
+  std::string plot;      ///< SVG file
+};
+
+void compare_solvers(const Campaign& campaign);
+
+}  // namespace bondstatic::bench
