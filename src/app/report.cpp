@@ -33,7 +33,9 @@ std::string counts(const Case& given) {
 }  // namespace
 
 std::string counted(Index count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  if (count == 1) return fmt::format("{} {}", count, what);
+  if (what.ends_with('y')) return fmt::format("{} {}ies", count, what.substr(0, what.size() - 1));
+  return fmt::format("{} {}s", count, what);
 }
 
 std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) {

@@ -9,24 +9,37 @@ namespace bondstatic::multigrid {
 
 namespace {
 
+// Sums over all rows of a . b and, where it is asked for, a . c.
 template <class A, class B>
-double dot(const Rows<A>& a, const Rows<B>& b, Index rows, int threads) {
-  BlockSums<1> sums(rows);
+std::array<double, 2> dots(const Rows<A>& a, const Rows<B>& b, const Rows<B>& c, Index rows, int threads) {
+  BlockSums<2> sums(rows);
   for_blocks(rows, threads, [&](Index block, Index first, Index last) {
-    sums[block] = {dot(a.data() + first, b.data() + first, last - first)};
+    const Row<A>* of = a.data() + first;
+    sums[block] = {dot(of, b.data() + first, last - first),
+                   &c == &b ? 0 : dot(of, c.data() + first, last - first)};
   });
-  return sums.total()[0];
+  return sums.total();
 }
 
-// kp = K p without the rows of what is held; returns p . kp.
+// kp = K p without the rows of what is held; returns p . kp and p . r.
 template <class Scalar>
-double apply(const Level<Scalar>& level, const Rows<double>& p, Rows<double>& kp, int threads) {
+std::array<double, 2> apply(const Level<Scalar>& level, const Rows<double>& p, const Rows<double>& r,
+                            Rows<double>& kp, int threads) {
   const auto& blocks = std::get<std::vector<Block<RoundPack<Scalar>>>>(level.links);
-  for_products(blocks, p, threads, [&](Index, Index first, Index last, Rows<double>& product, Rows<double>&) {
-    std::copy_n(product.begin(), last - first, kp.begin() + first);
-  });
-  leave_out_held(level, kp);
-  return dot(p, kp, level.bodies, threads);
+  const auto& held = level.partly_held;
+  BlockSums<2> sums(level.bodies);
+  for_products(
+      blocks, p, threads, [&](Index block, Index first, Index last, Rows<double>& product, Rows<double>&) {
+        const auto before = [](const PartlyHeld& body, Index row) { return body.row < row; };
+        for (auto body = std::lower_bound(held.begin(), held.end(), first, before);
+             body != held.end() && body->row < last; ++body)
+          for (int i = 0; i < 6; ++i)
+            if (!((body->free >> i) & 1)) product[std::size_t(body->row - first)].at[i] = 0;
+        std::copy_n(product.begin(), last - first, kp.begin() + first);
+        const Row<double>* along = p.data() + first;
+        sums[block] = {dot(along, product.data(), last - first), dot(along, r.data() + first, last - first)};
+      });
+  return sums.total();
 }
 
 }  // namespace
@@ -39,7 +52,7 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
   Rows<double> p = make_rows<double>(rows), kp = make_rows<double>(rows);
   x = make_rows<double>(rows);
   Convergence result;
-  const double start = std::sqrt(dot(r, r, rows, threads));
+  const double start = std::sqrt(dots(r, r, r, rows, threads)[0]);
   if (!(start > 0)) return {0, 0, start == 0};
 
   double size = start, curvature = 0, energy_at_start = 0, best = 0;
@@ -52,7 +65,8 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     });
     cycle(hierarchy, threads);
     const Rows<Scalar>& z = level.x;
-    const double energy = std::sqrt(std::max(0.0, size * dot(z, r, rows, threads)));
+    const auto [zr, zkp] = dots(z, r, kp, rows, threads);
+    const double energy = std::sqrt(std::max(0.0, size * zr));
     if (result.iterations == 0) energy_at_start = best = energy;
     result.reduction = size / start;
     result.reached = energy <= goal.energy_reduction * energy_at_start;
@@ -62,22 +76,25 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     }
     if (result.reached || !std::isfinite(energy) || result.iterations - best_at > goal.patience) break;
 
-    const double along = result.iterations > 0 ? size * dot(z, kp, rows, threads) / curvature : 0;
+    const double along = result.iterations > 0 ? size * zkp / curvature : 0;
     for_blocks(rows, threads, [&](Index, Index first, Index last) {
       for_numbers(first, last, [&](std::size_t row, int i) {
         p[row].at[i] = size * double(z[row].at[i]) - along * p[row].at[i];
       });
     });
-    curvature = apply(level, p, kp, threads);
+    const auto [pkp, pr] = apply(level, p, r, kp, threads);
+    curvature = pkp;
     if (!(curvature > 0)) break;
-    const double step = dot(p, r, rows, threads) / curvature;
-    for_blocks(rows, threads, [&](Index, Index first, Index last) {
+    const double step = pr / curvature;
+    BlockSums<1> left(rows);
+    for_blocks(rows, threads, [&](Index block, Index first, Index last) {
       for_numbers(first, last, [&](std::size_t row, int i) {
         x[row].at[i] += step * p[row].at[i];
         r[row].at[i] -= step * kp[row].at[i];
       });
+      left[block] = {dot(r.data() + first, r.data() + first, last - first)};
     });
-    size = std::sqrt(dot(r, r, rows, threads));
+    size = std::sqrt(left.total()[0]);
     ++result.iterations;
     if (!(size > 0)) return {result.iterations, 0, size == 0};
   }
