@@ -175,7 +175,8 @@ struct Iterate {
           "bodies "
           "that hang by bonds many decades softer than the rest, and for long slender parts",
           correction / size, steps, last.iterations, last.reduction));
-    const bool settled = steps > 1 && contraction < 0.5;
+    // The second round is left out of account: its residual was formed in double.
+    const bool settled = steps > 2 && contraction < 0.5;
     done = correction == 0 || (settled && contraction * correction <= last_digit * size &&
                                force_contraction * residual <= force_rounding * first_residual);
   }

@@ -72,8 +72,8 @@ void solve_by_backend(const Model& model, const std::string& solver, int threads
       result.seconds = seconds;
       result.before = phase(report, {"bonds", "mechanisms"});
       result.analysis = phase(report, {"analysis"});
-      result.factorisation = phase(report, {"factorisation"});
-      result.refinement = phase(report, {"refinement"});
+      result.factorisation = phase(report, {"factorisation", "set-up"});
+      result.refinement = phase(report, {"refinement", "iterations"});
       result.recovery = phase(report, {"recovery"});
       result.unknowns = report.analysis.unknowns;
       result.iterations = report.iterations;

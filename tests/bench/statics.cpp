@@ -83,6 +83,48 @@ double phase_seconds(const StaticReport& report, const std::string& name) {
   return 0;
 }
 
+std::string plural(int threads) {
+  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
+}
+
+StaticOptions on_threads(const std::string& solver, int threads) {
+  StaticOptions options;
+  options.solver = solver;
+  options.threads = threads;
+  return options;
+}
+
+// Idle, then beside other processes; returns the seconds of one thread, idle.
+double print_solver(const Model& model, const std::string& solver) {
+  const int cores = int(sysconf(_SC_NPROCESSORS_ONLN));
+  std::vector<int> thread_counts{1};
+  for (int t = 2; t <= cores; t *= 2) thread_counts.push_back(t);
+  std::vector<double> idle;
+  for (const int threads : thread_counts) {
+    StaticReport report;
+    idle.push_back(
+        median_seconds(5, [&] { report = solve_statics(model, on_threads(solver, threads)).report; }));
+    const std::string how =
+        report.iterations > 0
+            ? fmt::format("{} iterations", report.iterations)
+            : fmt::format("factorisation {:.2f} s at {:.1f} Gflop/s", phase_seconds(report, "factorisation"),
+                          1e-9 * report.analysis.factor_flops / phase_seconds(report, "factorisation"));
+    fmt::print("| 20x20x20 lattice, {} unknowns, {}, {} | {:.2f} s, {} |\n", report.analysis.unknowns, solver,
+               plural(threads), idle.back(), how);
+  }
+  constexpr int others = 4;
+  const BusyProcesses busy(others);
+  for (std::size_t i = 0; i < thread_counts.size(); ++i) {
+    const double fair = std::max(1.0, double(thread_counts[i] + others) / cores);
+    const double seconds =
+        median_seconds(5, [&] { solve_statics(model, on_threads(solver, thread_counts[i])); });
+    fmt::print(
+        "| the same beside {} busy processes, {} | {:.2f} s, {:.2f} of the fair share ({:.2f} x idle) |\n",
+        others, plural(thread_counts[i]), seconds, seconds / idle[i] / fair, fair);
+  }
+  return idle.front();
+}
+
 }  // namespace
 
 void print_statics() {
@@ -92,44 +134,12 @@ void print_statics() {
              1e3 * median_seconds(21, [&] { run_program(cantilever); }));
 
   const Model lattice = cubic_lattice(20);
-  const int cores = int(sysconf(_SC_NPROCESSORS_ONLN));
-  std::vector<double> idle;
-  std::vector<int> thread_counts{1};
-  for (int t = 2; t <= cores; t *= 2) thread_counts.push_back(t);
-  double one_thread = 0;
-  for (const int threads : thread_counts) {
-    StaticOptions options;
-    options.threads = threads;
-    StaticReport report;
-    idle.push_back(median_seconds(5, [&] { report = solve_statics(lattice, options).report; }));
-    if (threads == 1) one_thread = idle.back();
-    fmt::print(
-        "| 20x20x20 lattice, {} unknowns, {} thread{} | {:.2f} s, factorisation {:.2f} s at {:.1f} Gflop/s "
-        "|\n",
-        report.analysis.unknowns, threads, threads == 1 ? "" : "s", idle.back(),
-        phase_seconds(report, "factorisation"),
-        1e-9 * report.analysis.factor_flops / phase_seconds(report, "factorisation"));
-  }
-  constexpr int others = 4;
-  {
-    const BusyProcesses busy(others);
-    for (std::size_t i = 0; i < thread_counts.size(); ++i) {
-      StaticOptions options;
-      options.threads = thread_counts[i];
-      const double fair = std::max(1.0, double(thread_counts[i] + others) / cores);
-      const double seconds = median_seconds(5, [&] { solve_statics(lattice, options); });
-      fmt::print(
-          "| the same beside {} busy processes, {} thread{} | {:.2f} s, {:.2f} of the fair share ({:.2f} x "
-          "idle) |\n",
-          others, thread_counts[i], thread_counts[i] == 1 ? "" : "s", seconds, seconds / idle[i] / fair,
-          fair);
-    }
-  }
+  const double direct = print_solver(lattice, "cholmod"), multigrid = print_solver(lattice, "multigrid");
   const double naive = seconds_of([&] { solve_naively(lattice); });
   fmt::print(
-      "| the naive version (triplets, scalar ordering, SimplicialLDLT) | {:.1f} s, {:.0f} times as long as 1 "
-      "thread |\n",
-      naive, naive / one_thread);
+      "| the naive version (triplets, scalar ordering, SimplicialLDLT) | {:.1f} s, {:.0f} times as long as "
+      "cholmod, {:.0f} as multigrid, on 1 thread |\n",
+      naive, naive / direct, naive / multigrid);
   print_chain_errors();
 }
 
