@@ -35,7 +35,7 @@ struct LinearRates {
   double bytes_per_link;
   double thread_exponent;  ///< with t threads all of it is t^thread_exponent times as fast
 };
-inline constexpr LinearRates multigrid_rates{3e-5, 3e-6, 900, 230, 0.7};
+inline constexpr LinearRates multigrid_rates{3e-5, 3e-6, 880, 190, 0.7};
 Cost linear_cost(Index bodies, Index links, const LinearRates& rates, int threads);
 
 /// Bytes that the caller of a solver keeps while it refines and recovers one load case: motion, residual and

@@ -128,11 +128,16 @@ int threads_worth_having(int most) {
   return std::clamp(idle, 1, most);
 }
 
+// Address space that BLAS and the heaps of its threads take when they are first called. OpenBLAS tries for
+// ever where it gets none.
+constexpr double reserved_by_blas = 256e6;
+
 double available_memory() {
   double left = std::min(kilobyte_field("/proc/meminfo", "MemAvailable"), control_group_memory());
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    left = std::min(left, double(limit.rlim_cur) - kilobyte_field("/proc/self/status", "VmSize"));
+    left = std::min(
+        left, double(limit.rlim_cur) - kilobyte_field("/proc/self/status", "VmSize") - reserved_by_blas);
   return std::max(0.0, left);
 }
 

@@ -10,7 +10,8 @@ int usage(const char* found) {
   std::fprintf(stderr,
                "found %s, allowed are\n"
                "    run                                  the tables that the README quotes\n"
-               "    run solvers [--million] [--quick]    all solvers on growing packings\n",
+               "    run solvers [--million] [--quick]    all solvers on growing packings\n"
+               "        [--packing NAME]... [--solver NAME]...   only these\n",
                found);
   return 2;
 }
@@ -28,6 +29,10 @@ int main(int count, char** arguments) {
         campaign.million = true;
       else if (std::strcmp(arguments[i], "--quick") == 0)
         campaign.quick = true;
+      else if (std::strcmp(arguments[i], "--packing") == 0 && i + 1 < count)
+        campaign.packings.emplace_back(arguments[++i]);
+      else if (std::strcmp(arguments[i], "--solver") == 0 && i + 1 < count)
+        campaign.solvers.emplace_back(arguments[++i]);
       else
         return usage(arguments[i]);
     }

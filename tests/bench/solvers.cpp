@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -134,6 +135,14 @@ void draw(const Curves& curves, const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+bool asked_for(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
 void compare_solvers(const Campaign& campaign) {
   std::vector<Index> sizes{1000, 8000};
   if (!campaign.quick) sizes.insert(sizes.end(), {27000, 64000, 125000});
@@ -141,10 +150,10 @@ void compare_solvers(const Campaign& campaign) {
   Curves curves;
   print_head();
   for (const Family& family : families()) {
-    if (!family.grows && campaign.quick) continue;
+    if ((!family.grows && campaign.quick) || !asked_for(campaign.packings, family.name)) continue;
     for (const Index particles : family.grows ? sizes : std::vector<Index>{160000}) {
       for (const Contender& contender : contenders()) {
-        if (particles > contender.largest) continue;
+        if (particles > contender.largest || !asked_for(campaign.solvers, contender.solver)) continue;
         for (const int threads : contender.solver == "naive" ? std::vector<int>{1} : std::vector<int>{1, 2}) {
           auto& curve = curves[{family.name, contender.solver, threads}];
           const double guess = expected(curve, particles);
