@@ -66,7 +66,8 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     cycle(hierarchy, threads);
     const Rows<Scalar>& z = level.x;
     const auto [zr, zkp] = dots(z, r, kp, rows, threads);
-    const double energy = std::sqrt(std::max(0.0, size * zr));
+    if (!(zr > 0) || !std::isfinite(zr)) break;  // rounding has made the cycle indefinite
+    const double energy = std::sqrt(size * zr);
     if (result.iterations == 0) energy_at_start = best = energy;
     result.reduction = size / start;
     result.reached = energy <= goal.energy_reduction * energy_at_start;
@@ -74,7 +75,7 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
       best = energy;
       best_at = result.iterations;
     }
-    if (result.reached || !std::isfinite(energy) || result.iterations - best_at > goal.patience) break;
+    if (result.reached || result.iterations - best_at > goal.patience) break;
 
     const double along = result.iterations > 0 ? size * zkp / curvature : 0;
     for_blocks(rows, threads, [&](Index, Index first, Index last) {

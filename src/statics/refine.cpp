@@ -145,7 +145,7 @@ struct Iterate {
       motion[p][i] += Extended(step[unknown]) / scale;
       size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
     });
-    setbacks = steps > 0 && contraction > 0.5 ? setbacks + 1 : 0;
+    setbacks = steps > 0 && (contraction > 0.5 || correction == 0) ? setbacks + 1 : 0;
     ++steps;
   }
 
@@ -177,8 +177,8 @@ struct Iterate {
           correction / size, steps, last.iterations, last.reduction));
     // The second round is left out of account: its residual was formed in double.
     const bool settled = steps > 2 && contraction < 0.5;
-    done = correction == 0 || (settled && contraction * correction <= last_digit * size &&
-                               force_contraction * residual <= force_rounding * first_residual);
+    done = residual == 0 || (settled && contraction * correction <= last_digit * size &&
+                             force_contraction * residual <= force_rounding * first_residual);
   }
 
   double expected_error() const { return contraction * correction; }
