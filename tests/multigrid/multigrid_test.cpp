@@ -137,7 +137,8 @@ TEST(MultigridCampaign, HardModelsEndRightOrWithExitFour) {
       const StaticSolution iterative = solved(model, "multigrid");
       const Apart found = apart(solved(model, "cholmod"), iterative);
       EXPECT_LT(found.displacement, 3e-16) << "seed " << seed;
-      EXPECT_LT(found.force, 1e-12) << "seed " << seed;
+      // Differences of displacements a million times as large in the slenderest.
+      EXPECT_LT(found.force, 1e-11) << "seed " << seed;
       ++right;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ExitCode::not_accurate) << "seed " << seed << ": " << error.what();
