@@ -3,7 +3,7 @@
 
 #include "modes/eigenpairs.hpp"
 #include "modes/masses.hpp"
-#include "system/natural_form.hpp"
+#include "system/unknowns.hpp"
 
 namespace bondstatic {
 
@@ -12,10 +12,7 @@ namespace {
 // The solver's unknowns are rotations times a length: M^1/2 in them, by unknown.
 Eigen::VectorXd solver_weights(const Eigen::VectorXd& roots, const FreeDofs& dofs, double length) {
   Eigen::VectorXd weights = roots;
-  Index unknown = 0;
-  for (std::size_t p = 0; p < dofs.free.size(); ++p)
-    for (int i = 0; i < 6; ++i)
-      if (dofs.is_free(Index(p), i)) weights[unknown++] /= i < 3 ? 1 : length;
+  for_each_unknown(dofs, [&](std::size_t, int i, Index n) { weights[n] /= i < 3 ? 1 : length; });
   return weights;
 }
 
@@ -38,18 +35,11 @@ Eigen::VectorXd solved(const BondNetwork& network, const Incidence& incidence, c
   Eigen::VectorXd x = solver.solve(force).col(0);
   if (!solver.iterative()) return x;
   const double length = network.rotation_length;
-  const auto for_each_unknown = [&](auto visit) {
-    Index unknown = 0;
-    for (std::size_t p = 0; p < dofs.free.size(); ++p)
-      for (int i = 0; i < 6; ++i)
-        if (dofs.is_free(Index(p), i)) visit(p, i, i < 3 ? 1 : length, unknown++);
-  };
   BodyVectors<double> motion(dofs.free.size(), Vector6::Zero());
-  for_each_unknown([&](std::size_t p, int i, double scale, Index n) { motion[p][i] = x[n] / scale; });
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index n) { motion[p][i] = x[n] / (i < 3 ? 1 : length); });
   const auto q = link_resultants<double>(network, motion, 1);
-  const auto carried = gather_forces<double>(network, incidence, q, 1);
-  Eigen::VectorXd left = force;
-  for_each_unknown([&](std::size_t p, int i, double scale, Index n) { left[n] -= carried[p][i] / scale; });
+  const Eigen::VectorXd left =
+      force - to_unknowns(gather_forces<double>(network, incidence, q, 1), dofs, length);
   return x + solver.solve(left).col(0);
 }
 

@@ -30,7 +30,7 @@ void cycle_from(Hierarchy<Scalar>& h, std::size_t l, int threads) {
   gather_on_clumps(level, coarse, threads);
   ask_coarser(h, l + 1, threads);
   move_with_clumps(coarse, level, over_correction, threads);
-  smooth_after(level, level.e, threads);
+  smooth_after_step(level, threads);
 }
 
 // With c the first correction and d the second, x = s c + t d minimises the energy of the error:

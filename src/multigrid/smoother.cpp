@@ -58,12 +58,12 @@ void second_step(Level<Scalar>& level, int threads) {
                });
 }
 
-// r -= K v.
+// r -= K e.
 template <class Scalar>
-void subtract_product(Level<Scalar>& level, const Rows<Scalar>& v, int threads) {
-  for_products(level, v, threads, [&](Index, Index first, Index last, Rows<Scalar>& kv, Rows<Scalar>&) {
+void subtract_product(Level<Scalar>& level, int threads) {
+  for_products(level, level.e, threads, [&](Index, Index first, Index last, Rows<Scalar>& ke, Rows<Scalar>&) {
     for_numbers(first, last,
-                [&](std::size_t row, int i) { level.r[row].at[i] -= kv[row - std::size_t(first)].at[i]; });
+                [&](std::size_t row, int i) { level.r[row].at[i] -= ke[row - std::size_t(first)].at[i]; });
   });
 }
 
@@ -73,19 +73,19 @@ template <class Scalar>
 void smooth_from_zero(Level<Scalar>& level, int threads) {
   first_step(level, true, threads);
   second_step(level, threads);
-  subtract_product(level, level.e, threads);
+  subtract_product(level, threads);
 }
 
 template <class Scalar>
-void smooth_after(Level<Scalar>& level, const Rows<Scalar>& step, int threads) {
-  subtract_product(level, step, threads);
+void smooth_after_step(Level<Scalar>& level, int threads) {
+  subtract_product(level, threads);
   first_step(level, false, threads);
   second_step(level, threads);
 }
 
 template void smooth_from_zero(Level<float>&, int);
 template void smooth_from_zero(Level<double>&, int);
-template void smooth_after(Level<float>&, const Rows<float>&, int);
-template void smooth_after(Level<double>&, const Rows<double>&, int);
+template void smooth_after_step(Level<float>&, int);
+template void smooth_after_step(Level<double>&, int);
 
 }  // namespace bondstatic::multigrid

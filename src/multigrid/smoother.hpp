@@ -13,14 +13,14 @@ namespace bondstatic::multigrid {
 template <class Scalar>
 void smooth_from_zero(Level<Scalar>& level, int threads);
 
-/// The same once more after x has been changed by `step`; r, which still knows nothing of the change, is
-/// overwritten with something of no further use.
+/// The same once more after x has been changed by e, of which r knows nothing yet. r and e are of no further
+/// use.
 template <class Scalar>
-void smooth_after(Level<Scalar>& level, const Rows<Scalar>& step, int threads);
+void smooth_after_step(Level<Scalar>& level, int threads);
 
 extern template void smooth_from_zero(Level<float>&, int);
 extern template void smooth_from_zero(Level<double>&, int);
-extern template void smooth_after(Level<float>&, const Rows<float>&, int);
-extern template void smooth_after(Level<double>&, const Rows<double>&, int);
+extern template void smooth_after_step(Level<float>&, int);
+extern template void smooth_after_step(Level<double>&, int);
 
 }  // namespace bondstatic::multigrid

@@ -18,16 +18,16 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.0f} h", seconds / 3600);
 }
 
+}  // namespace
+
 std::string size_text(double bytes) {
   if (bytes < 1e6) return fmt::format("{:.0f} kB", std::ceil(bytes / 1e3));
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
-std::string figures(const Candidate& candidate) {
-  return fmt::format("{} and {}", seconds_text(candidate.cost.seconds), size_text(candidate.cost.bytes));
+std::string figures(const Cost& cost) {
+  return fmt::format("{} and {}", seconds_text(cost.seconds), size_text(cost.bytes));
 }
-
-}  // namespace
 
 Cost direct_cost(const AnalysisReport& analysis, const DirectRates& rates, int threads) {
   const double faster = std::pow(std::max(1, threads), rates.thread_exponent);
@@ -59,15 +59,16 @@ Choice choose_solver(std::span<const Candidate> candidates, double memory) {
             fmt::format("{} takes least memory, {}, of which {} are at hand", least->solver,
                         size_text(least->cost.bytes), at_hand),
             false};
+  const auto latest = [](const Candidate& c) { return c.doubt * c.cost.seconds; };
   auto best = least;
   for (auto one = candidates.begin(); one != candidates.end(); ++one)
     if (one->cost.bytes <= memory &&
-        (one->cost.seconds < best->cost.seconds || (one->cost.seconds == best->cost.seconds && one < best)))
+        (latest(*one) < latest(*best) || (latest(*one) == latest(*best) && one < best)))
       best = one;
-  std::string reason = fmt::format("{}: predicted {}", best->solver, figures(*best));
+  std::string reason = fmt::format("{}: predicted {}", best->solver, figures(best->cost));
   for (const Candidate& other : candidates) {
     if (&other == &*best) continue;
-    reason += fmt::format(", {} {}{}", other.solver, figures(other),
+    reason += fmt::format(", {} {}{}", other.solver, figures(other.cost),
                           other.cost.bytes > memory ? fmt::format(" of {} at hand", at_hand) : "");
   }
   return {best->solver, reason, true};

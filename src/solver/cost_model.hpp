@@ -15,6 +15,9 @@ struct Cost {
   double bytes = 0;    ///< peak, what stands in memory already not counted
 };
 
+std::string size_text(double bytes);
+std::string figures(const Cost& cost);  ///< "1.2 s and 46 MB"
+
 /// Seconds a direct solver takes for each unit of work, on one thread, and what threads do for the
 /// factorisation: with t of them it is t^thread_exponent times as fast.
 struct DirectRates {
@@ -36,6 +39,8 @@ struct LinearRates {
   double thread_exponent;  ///< with t threads all of it is t^thread_exponent times as fast
 };
 inline constexpr LinearRates multigrid_rates{3e-5, 3e-6, 880, 190, 0.7};
+/// The rates are those of packings; sheets and chains one particle thick take many more iterations.
+inline constexpr double multigrid_doubt = 2;
 Cost linear_cost(Index bodies, Index links, const LinearRates& rates, int threads);
 
 /// Bytes that the caller of a solver keeps while it refines and recovers one load case: motion, residual and
@@ -45,6 +50,8 @@ double solution_bytes(double links, double bodies);
 struct Candidate {
   std::string solver;
   Cost cost;
+  double doubt =
+      1;  ///< it may take this many times as long as predicted: others are preferred that take less
 };
 
 struct Choice {
@@ -53,8 +60,8 @@ struct Choice {
   bool fits = true;    ///< false: nothing fits, and this takes least
 };
 
-/// The fastest that fits into `memory` (bytes); the earlier of two equals. Throws std::invalid_argument where
-/// there is no candidate.
+/// The fastest, doubts included, that fits into `memory` (bytes); the earlier of two equals. Throws
+/// std::invalid_argument where there is no candidate.
 Choice choose_solver(std::span<const Candidate> candidates, double memory);
 
 }  // namespace bondstatic

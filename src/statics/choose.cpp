@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bondstatic/error.hpp"
 #include "solver/cost_model.hpp"
 #include "solver/machine.hpp"
+#include "system/level_elimination.hpp"
 
 namespace bondstatic {
 
@@ -16,13 +18,10 @@ namespace {
 // Below this many particles a direct solver takes no time worth asking about, and nothing stops it.
 constexpr Index always_direct = 1500;
 
-// Above this many, the analysis of a direct solver alone takes as long as the whole multigrid, unless the
-// bonds make chains and little more.
-constexpr Index hardly_direct = 200000;
-constexpr double chain_like = 1.3;  // bonds a particle
-
-std::string size_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
+// How many times the operations of nested dissection an elimination level by level takes, at most: on a sheet
+// of n particles the first takes n^1.5 of them and the second n^2.
+double dissection_gains(Index bodies) {
+  return std::max(20.0, std::sqrt(double(bodies)) / 5);
 }
 
 double memory_at_hand(const StaticOptions& options) {
@@ -58,7 +57,8 @@ Chosen analysed(const std::string& name, const BondNetwork& network, const FreeD
 
 }  // namespace
 
-Chosen choose(const BondNetwork& network, const FreeDofs& dofs, const StaticOptions& options, int threads) {
+Chosen choose(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+              const StaticOptions& options, int threads) {
   const double limit = memory_at_hand(options);
   const Cost multigrid = multigrid_cost(network, threads);
   if (options.solver != "auto") {
@@ -67,21 +67,26 @@ Chosen choose(const BondNetwork& network, const FreeDofs& dofs, const StaticOpti
       does_not_fit(chosen.analysis, limit, chosen.name, multigrid.bytes);
     return chosen;
   }
-  const bool chains = double(network.links.size()) < chain_like * double(network.bodies);
-  if (network.bodies > hardly_direct && !chains && multigrid.bytes <= limit) {
+  // Ordering and analysis of a direct solver take as long as the whole multigrid: not for a packing that it
+  // will not get.
+  const std::string direct_name = first_direct();
+  const DirectRates& rates = direct_name == "cholmod" ? cholmod_rates : eigen_rates;
+  const double worthwhile =
+      dissection_gains(network.bodies) * multigrid_doubt * multigrid.seconds / rates.per_flop;
+  if (network.bodies > always_direct && multigrid.bytes <= limit &&
+      level_elimination_flops(network, incidence, dofs, worthwhile) >= worthwhile) {
     Chosen chosen = analysed("multigrid", network, dofs, options, threads);
-    chosen.reason = fmt::format("multigrid: more than {} particles", hardly_direct);
+    chosen.reason = fmt::format("multigrid: predicted {}, a direct solver more", figures(multigrid));
     return chosen;
   }
-  Chosen direct = analysed(first_direct(), network, dofs, options, threads);
+  Chosen direct = analysed(direct_name, network, dofs, options, threads);
   if (network.bodies <= always_direct && direct.analysis.predicted_bytes <= limit) {
     direct.reason = fmt::format("{}: at most {} particles", direct.name, always_direct);
     return direct;
   }
-  const DirectRates& rates = direct.name == "cholmod" ? cholmod_rates : eigen_rates;
   const std::array<Candidate, 2> candidates{
       Candidate{direct.name, direct_cost(direct.analysis, rates, threads)},
-      Candidate{"multigrid", multigrid}};
+      Candidate{"multigrid", multigrid, multigrid_doubt}};
   const Choice choice = choose_solver(candidates, limit);
   if (!choice.fits) does_not_fit(direct.analysis, limit, direct.name, multigrid.bytes);
   if (choice.solver == "multigrid") direct = analysed("multigrid", network, dofs, options, threads);

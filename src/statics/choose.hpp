@@ -6,6 +6,7 @@
 
 #include "bondstatic/linear_solver.hpp"
 #include "bondstatic/statics.hpp"
+#include "system/incidence.hpp"
 
 namespace bondstatic {
 
@@ -19,7 +20,8 @@ struct Chosen {
 
 /// Throws Error (invalid_input) for an unknown name, MemoryError with the alternative where the solve would
 /// not fit.
-Chosen choose(const BondNetwork& network, const FreeDofs& dofs, const StaticOptions& options, int threads);
+Chosen choose(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+              const StaticOptions& options, int threads);
 
 /// The direct solver that may still do it where an iterative one, chosen by "auto", gave up. Null solver
 /// where none fits.

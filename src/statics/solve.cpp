@@ -108,7 +108,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
     // 4. Choose a solver; order and predict, so that what does not fit ends before it is begun.
     Chosen chosen;
     if (dofs.unknowns() > 0) {
-      chosen = timed("analysis", [&] { return choose(network, dofs, options, report.threads); });
+      chosen = timed("analysis", [&] { return choose(network, incidence, dofs, options, report.threads); });
       if (chosen.analysis.factor_entries >= report.analysis.factor_entries) {
         report.analysis = chosen.analysis;
         report.solver = chosen.name;
@@ -134,6 +134,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
       report.warnings.push_back(chosen.name + " did not converge; " + direct.name + " took over");
       report.analysis = direct.analysis;
       report.solver = direct.name;
+      report.solver_reason = direct.name + ": " + chosen.name + " did not converge";
       solve_by(direct);
     }
     chosen.solver.reset();  // recovery needs memory, too

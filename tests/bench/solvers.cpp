@@ -18,12 +18,15 @@ namespace {
 struct Contender {
   std::string solver;
   Index largest;  ///< particles; beyond, it would only waste time
+  std::vector<int> threads;
 };
 
 std::vector<Contender> contenders() {
-  std::vector<Contender> list{{"naive", 9000}, {"relaxation", 1100}};
+  std::vector<Contender> list{{"naive", 9000, {1}}, {"relaxation", 1100, {1, 2}}};
+  // Ranks are to PETSc what threads are to the others; here it is one process.
   for (const SolverInfo& info : available_solvers())
-    list.push_back({info.name, info.name == "eigen" ? 9000 : Index(1) << 40});
+    list.push_back({info.name, info.name == "eigen" ? 9000 : Index(1) << 40,
+                    info.on_ranks ? std::vector<int>{1} : std::vector<int>{1, 2}});
   return list;
 }
 
@@ -154,7 +157,7 @@ void compare_solvers(const Campaign& campaign) {
     for (const Index particles : family.grows ? sizes : std::vector<Index>{160000}) {
       for (const Contender& contender : contenders()) {
         if (particles > contender.largest || !asked_for(campaign.solvers, contender.solver)) continue;
-        for (const int threads : contender.solver == "naive" ? std::vector<int>{1} : std::vector<int>{1, 2}) {
+        for (const int threads : contender.threads) {
           auto& curve = curves[{family.name, contender.solver, threads}];
           const double guess = expected(curve, particles);
           if (guess > campaign.longest) {

@@ -80,6 +80,20 @@ TEST(Modes, OfRandomPackingsAreThoseOfADenseSolve) {
   }
 }
 
+// What an iterative solver leaves is solved for once more, and a frequency's error is that of its mode
+// squared.
+TEST(Modes, ComeFromAnIterativeSolverAsWell) {
+  std::mt19937_64 random(9);
+  const Model model = random_packing(random, 6, block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}}));
+  std::vector<std::uint8_t> free(model.particles.size(), 0x3f);
+  std::fill_n(free.begin(), 36, std::uint8_t(0));
+  const VibrationProblem problem(model, free);
+  const auto direct = problem.lowest(6), iterative = problem.lowest(6, "multigrid");
+  ASSERT_EQ(iterative.size(), direct.size());
+  for (std::size_t i = 0; i < direct.size(); ++i)
+    EXPECT_LT(std::abs(iterative[i].frequency / direct[i].frequency - 1), 1e-11) << i;
+}
+
 TEST(Modes, SatisfyTheirEquation) {
   const VibrationProblem problem = packing(4);
   const Eigen::MatrixXd a = problem.scaled_stiffness<double>(problem.network);

@@ -23,8 +23,8 @@ Eigen::VectorXd VibrationProblem::mass_diagonal() const {
   return diagonal;
 }
 
-std::vector<Mode> VibrationProblem::lowest(Index count) const {
-  const std::unique_ptr<LinearSolver> solver = make_solver("auto", 1);
+std::vector<Mode> VibrationProblem::lowest(Index count, const std::string& name) const {
+  const std::unique_ptr<LinearSolver> solver = make_solver(name, 1);
   solver->analyse(network, dofs);
   solver->factorise(network, dofs);
   return lowest_modes(network, dofs, masses, *solver, count);

@@ -61,7 +61,7 @@ struct VibrationProblem {
     return solver.eigenvalues().cwiseSqrt().template cast<double>();
   }
 
-  std::vector<Mode> lowest(Index count) const;
+  std::vector<Mode> lowest(Index count, const std::string& solver = "auto") const;
 
  private:
   std::vector<Index> unknowns_of(const Link& link) const;  ///< of its 12 degrees of freedom, -1 where held

@@ -46,6 +46,14 @@ TEST(SolverChoice, ExactFitFits) {
   EXPECT_TRUE(choose_solver(std::vector<Candidate>{{"only", {1, 1e6}}}, 1e6).fits);
 }
 
+TEST(SolverChoice, ADoubtfulPredictionMustPromiseMore) {
+  std::vector<Candidate> pair{{"sure", {1.5, 1e9}}, {"doubtful", {1, 1e6}, 2}};
+  EXPECT_EQ(choose_solver(pair, 1e10).solver, "sure");
+  pair.front().cost.seconds = 2.5;
+  EXPECT_EQ(choose_solver(pair, 1e10).solver, "doubtful");
+  EXPECT_EQ(choose_solver(pair, 1e8).solver, "doubtful");
+}
+
 TEST(SolverChoice, NoCandidateIsAnError) {
   EXPECT_THROW(choose_solver({}, 1e9), std::invalid_argument);
 }

@@ -6,6 +6,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/mechanism.hpp"
 #include "bondstatic/statics.hpp"
+#include "multigrid/hard_models.hpp"
 #include "support/models.hpp"
 
 namespace bondstatic::test {
@@ -79,6 +80,30 @@ TEST(StaticSolve, AutoSaysWhatItChoseAndWhy) {
   EXPECT_EQ(solve_statics(loaded_packing(4), with("multigrid", 1)).report.solver_reason, "");
 }
 
+TEST(StaticSolve, AutoTellsWallsAndChainsFromPackings) {
+  std::mt19937_64 random(1);
+  const auto chosen = [&](const test::HardModel& of) {
+    return solve_statics(hard_model(random, of), with("auto", 1)).report;
+  };
+  const StaticReport wall = chosen({.count = {60, 1, 60}});
+  EXPECT_EQ(wall.solver, available_solvers().front().name) << wall.solver_reason;
+  const StaticReport chain = chosen({.count = {1, 1, 4000}});
+  EXPECT_EQ(chain.solver, available_solvers().front().name) << chain.solver_reason;
+  const StaticReport packing = chosen({.count = {16, 16, 16}});
+  EXPECT_EQ(packing.solver, "multigrid");
+  EXPECT_EQ(packing.analysis.factor_entries, 0) << "no direct solver was asked";
+}
+
+TEST(StaticSolve, ADirectSolverTakesOverWhereMultigridDoesNotConverge) {
+  std::mt19937_64 random(7);
+  const Model model = hard_model(random, {.count = {13, 13, 13}, .decades = 14});
+  EXPECT_THROW(solve_statics(model, with("multigrid", 1)), AccuracyError);
+  const StaticReport report = solve_statics(model, with("auto", 1)).report;
+  EXPECT_EQ(report.solver, available_solvers().front().name);
+  EXPECT_NE(report.solver_reason.find("multigrid did not converge"), std::string::npos);
+  ASSERT_FALSE(report.warnings.empty());
+}
+
 TEST(StaticSolve, NamesTheAlternativeWhereASolverDoesNotFit) {
   StaticOptions options = with(available_solvers().front().name, 1);
   options.memory_limit = 1e7;
@@ -138,7 +163,7 @@ TEST(StaticSolve, RefusesWhatDoesNotFitBeforeItFails) {
     FAIL() << "solved within a tenth of a megabyte";
   } catch (const MemoryError& error) {
     EXPECT_EQ(error.code(), ExitCode::out_of_memory);
-    EXPECT_NE(std::string(error.what()).find("0.1 MB are at hand"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("100 kB are at hand"), std::string::npos) << error.what();
   }
 }
 

@@ -44,7 +44,8 @@ TEST_P(SolversAgree, OnThirtyModels) {
 
 std::vector<std::string> solvers() {
   std::vector<std::string> names;
-  for (const SolverInfo& info : available_solvers()) names.push_back(info.name);
+  for (const SolverInfo& info : available_solvers())
+    if (info.name != "eigen") names.push_back(info.name);
   return names;
 }
 

@@ -1,0 +1,29 @@
+// How good an answer is.
+#pragma once
+
+#include "model/boundary.hpp"
+#include "system/extended.hpp"
+#include "system/natural_form.hpp"
+
+namespace bondstatic {
+
+/// Forces that a relative motion of rounding size in every link would need, with random signs: B^T C e with
+/// |e| <= 4 eps |B| |u|. The motion they cause shows what the natural form cannot see of u.
+BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence& incidence,
+                                    const BodyVectors<double>& motion);
+
+/// Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double. Where
+/// all terms of a row vanish by symmetry but for noise, the row is held against what it could carry where
+/// everything moved by `size` (M. Arioli, J. W. Demmel, I. S. Duff, SIAM J. Matrix Anal. Appl. 10, 1989). The
+/// residual is formed in Scalar: Extended, or double, whose few roundings of its own are then part of the
+/// measure.
+template <class Scalar>
+double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                      const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads);
+
+extern template double backward_error<double>(const BondNetwork&, const Incidence&, const FreeDofs&,
+                                              const Boundary&, const BodyVectors<double>&, double, int);
+extern template double backward_error<Extended>(const BondNetwork&, const Incidence&, const FreeDofs&,
+                                                const Boundary&, const BodyVectors<double>&, double, int);
+
+}  // namespace bondstatic

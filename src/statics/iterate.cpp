@@ -1,0 +1,95 @@
+#include "statics/iterate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bondstatic/error.hpp"
+#include "statics/residual.hpp"
+#include "system/unknowns.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+constexpr int most_refinements = 100;
+constexpr double last_digit = 0x1p-57;      // of a displacement
+constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residual
+
+}  // namespace
+
+Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
+                                       const Boundary& boundary, const FreeDofs& dofs, bool iterative,
+                                       int threads) {
+  // The first correction of an iterative solver is good to six digits: what it leaves is known well enough
+  // in double, in a tenth of the time.
+  const double length = network.rotation_length;
+  Eigen::VectorXd r =
+      iterative && steps == 1
+          ? to_unknowns(bondstatic::residual<double>(network, incidence, boundary, converted<double>(motion),
+                                                     threads),
+                        dofs, length)
+          : to_unknowns(bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs,
+                        length);
+  const double before = residual;
+  residual = r.lpNorm<Eigen::Infinity>();
+  if (steps == 0) first_residual = residual;
+  force_contraction = before > 0 ? residual / before : 1;
+  return r;
+}
+
+void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length) {
+  const double before = correction;
+  correction = step.lpNorm<Eigen::Infinity>();
+  contraction = steps > 0 && before > 0 ? correction / before : 1;
+  size = 0;
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
+    const double scale = i < 3 ? 1 : length;
+    motion[p][i] += Extended(step[unknown]) / scale;
+    size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
+  });
+  setbacks = steps > 0 && (contraction > 0.5 || correction == 0) ? setbacks + 1 : 0;
+  ++steps;
+}
+
+// Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
+// rounding they are the noise of the residual, and the answer is as good as it gets.
+void Iterate::judge_direct(double pivot_ratio) {
+  const bool at_rounding = correction <= extended_rounding * size, stagnant = setbacks > 0;
+  if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps > most_refinements)
+    throw AccuracyError(
+        fmt::format("the stiffness matrix is numerically singular: corrections stay at {:.1e} of the "
+                    "answer (smallest pivot "
+                    "ratio {:.1e})\n    cure: look for bodies that hang by bonds many decades softer than "
+                    "the rest, or for a "
+                    "support that is missing in all but rounding",
+                    correction / size, pivot_ratio));
+  done = at_rounding || stagnant;
+}
+
+// A single round may fall back: a slow mode shows only after the fast ones are gone.
+void Iterate::judge_iterative(const SolveReport& last) {
+  constexpr int most_setbacks = 3;
+  if (!std::isfinite(correction) || setbacks >= most_setbacks || steps > most_refinements)
+    throw AccuracyError(fmt::format(
+        "the iterative solver does not converge: corrections stay at {:.1e} of the answer after {} rounds, "
+        "the last of {} iterations brought the residual to {:.1e} of what it was\n"
+        "    cure: a direct solver (--solver cholmod) if the model is small enough for one; look for "
+        "bodies "
+        "that hang by bonds many decades softer than the rest, and for long slender parts",
+        correction / size, steps, last.iterations, last.reduction));
+  // The second round is left out of account: its residual was formed in double.
+  const bool settled = steps > 2 && contraction < 0.5;
+  done = residual == 0 || (settled && contraction * correction <= last_digit * size &&
+                           force_contraction * residual <= force_rounding * first_residual);
+}
+
+void Iterate::drop_negligible(const FreeDofs& dofs, double length, double noise) {
+  const double threshold = std::max(noise, negligible * size);
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
+    if (std::abs(to_double(motion[p][i])) * (i < 3 ? 1 : length) <= threshold) motion[p][i] = 0.0;
+  });
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,41 @@
+// One load case on its way to the last digit.
+#pragma once
+
+#include "bondstatic/linear_solver.hpp"
+#include "model/boundary.hpp"
+#include "system/extended.hpp"
+#include "system/natural_form.hpp"
+
+namespace bondstatic {
+
+struct Iterate {
+  BodyVectors<Extended> motion;
+  double first_residual = 0, residual = 0;  ///< largest entry, of the start and of the latest round
+  double force_contraction = 1;             ///< of the residual, by the latest round
+  double correction = 0;                    ///< largest entry of the last one, rotations times the length
+  double contraction = 1;                   ///< of corrections, by the latest round
+  double size = 0;                          ///< largest entry of the answer, likewise
+  int steps = 0;
+  int setbacks = 0;  ///< rounds in a row that did not contract
+  bool done = false;
+
+  /// The right-hand side of the next correction.
+  Eigen::VectorXd next_residual(const BondNetwork& network, const Incidence& incidence,
+                                const Boundary& boundary, const FreeDofs& dofs, bool iterative, int threads);
+
+  /// Takes a correction.
+  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length);
+
+  /// Whether it is done, by a direct solver or an iterative one. Both throw AccuracyError where corrections
+  /// do not contract.
+  void judge_direct(double pivot_ratio);
+  void judge_iterative(const SolveReport& last);
+
+  /// What the next correction would be, were it to contract as the last one did.
+  double expected_error() const { return contraction * correction; }
+
+  /// Sets to zero what is rounding of the largest entry, or no larger than `noise`.
+  void drop_negligible(const FreeDofs& dofs, double length, double noise);
+};
+
+}  // namespace bondstatic

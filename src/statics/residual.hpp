@@ -1,0 +1,25 @@
+// r = f - B^T C B u by body, bond by bond in natural form.
+#pragma once
+
+#include <algorithm>
+
+#include "model/boundary.hpp"
+#include "system/extended.hpp"
+#include "system/natural_form.hpp"
+
+namespace bondstatic {
+
+template <class Scalar>
+BodyVectors<Scalar> residual(const BondNetwork& network, const Incidence& incidence, const Boundary& boundary,
+                             const BodyVectors<Scalar>& motion, int threads) {
+  BodyVectors<Scalar> r = converted<Scalar>(boundary.load);
+  // Nearly always so at the start.
+  const auto at_rest = [](const Vector6T<Scalar>& u) { return u.isZero(Scalar(0.0)); };
+  if (std::all_of(motion.begin(), motion.end(), at_rest)) return r;
+  const auto q = link_resultants<Scalar>(network, motion, threads);
+  const auto carried = gather_forces<Scalar>(network, incidence, q, threads);
+  for (std::size_t p = 0; p < r.size(); ++p) r[p] -= carried[p];
+  return r;
+}
+
+}  // namespace bondstatic
