@@ -1,6 +1,6 @@
 // The contract of a linear solver: analyse the pattern, factorise the values (or set up a preconditioner from
-// them), solve. A backend is one file or one folder; the unknowns are those of FreeDofs with rotations multiplied by network.rotation_length, so that the matrix
-// is well scaled in any unit system.
+// them), solve. A backend is one file or one folder; the unknowns are those of FreeDofs with rotations
+// multiplied by network.rotation_length, so that the matrix is well scaled in any unit system.
 #pragma once
 
 #include <Eigen/Core>

@@ -70,7 +70,7 @@ struct RelaxedCase {
 
 struct Relaxation {
   std::vector<RelaxedCase> cases;           ///< in the order of Model::load_cases; fewer where interrupted
-  std::vector<std::vector<Index>> dropped;  ///< bodies left out, by model position
+  std::vector<std::vector<Index>> dropped;  ///< bodies left out, by particle id
   std::vector<std::string> warnings;
   double planning_seconds = 0;
   int threads = 1;

@@ -8,11 +8,17 @@
 //                tau, energy (fx ... mz: what the bond does to particle b, at the contact point, global axes)
 // model.vtu      points are particles, lines are bonds; the columns above, vectors where they are vectors
 //
+// A run of several ranks writes the rows of rank 0, then of rank 1, ...; its grid is model.pvtu with a piece
+// a rank beside it (model_0.vtu, ...). Particles that a piece borrows from another one for its bonds are
+// marked in vtkGhostType as copies; their reactions, which only their own rank knows, are NaN.
+//
 // Particles and bonds that were left out keep their rows, with empty fields (NaN in model.vtu).
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bondstatic/check.hpp"
@@ -32,15 +38,42 @@ struct RunInfo {
   std::vector<std::string> warnings;
 };
 
-/// Names of the files that write_results() makes, relative to the folder; summary.json is the last.
-std::vector<std::string> result_files(const Model& model);
+/// What reports and summary.json tell of a model: plain data that stays when the model goes.
+struct ModelFacts {
+  Index particles = 0;
+  Index bonds = 0;
+  Index supported_particles = 0;
+  std::vector<std::pair<std::string, Index>> bonds_by_law;  ///< in the order of the blocks
+  std::vector<std::string> load_cases{""};
+};
+ModelFacts facts_of(const Model& model);
 
-/// summary.json as text; `files` is what it lists.
-std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
+/// Where a model moves most.
+struct LargestDisplacement {
+  std::optional<Index> particle;  ///< its id; nothing where all particles are left out
+  Vector3 displacement = Vector3::Zero();
+};
+LargestDisplacement largest_displacement(const Model& model, const State& state);
+/// In each load case.
+std::vector<LargestDisplacement> largest_displacements(const Model& model, const StaticSolution& solution);
+
+/// Names of the files that are written, by so many ranks, relative to the folder; summary.json is the last.
+std::vector<std::string> result_files(const ModelFacts& model, int ranks = 1);
+
+/// summary.json as text; `files` is what it lists. Of the states, only names, energies and work are told: the
+/// particles of `largest`, one a load case, may be those of other ranks.
+std::string summary_json(const ModelFacts& model, const RunInfo& run, const StaticSolution& solution,
+                         const std::vector<LargestDisplacement>& largest,
                          const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
 
-/// Throws Error (invalid_input) where write_results() could not write: no such place, not allowed, or files
-/// there that are not results. Touches nothing; worth calling before a long solve.
+/// Throws Error (invalid_input) where the results of so many ranks could not be written: no such place, not
+/// allowed, or files there that are not results. Touches nothing; worth calling before a long solve.
+void check_result_folder(const ModelFacts& model, const std::string& folder, int ranks = 1);
+
+// The same where one process has the whole model.
+std::vector<std::string> result_files(const Model& model);
+std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
+                         const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
 void check_result_folder(const Model& model, const std::string& folder);
 
 /// Writes all files, whole or not at all: after any error the folder is as it was. Replaces the results of an
@@ -68,13 +101,6 @@ std::string certificate_json(const Model& model, const RunInfo& run, const Certi
 
 /// Name of the checkpoint of a run to rest, inside the folder of its results.
 inline constexpr const char* checkpoint_file = "relax.checkpoint";
-
-/// Where a model moves most: particle by model position (-1 where there is none) and its displacement.
-struct LargestDisplacement {
-  Index particle = -1;
-  Vector3 displacement = Vector3::Zero();
-};
-LargestDisplacement largest_displacement(const State& state);
 
 /// The worst of each figure over the load cases.
 Accuracy worst_accuracy(const StaticSolution& solution);

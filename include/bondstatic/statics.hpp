@@ -30,7 +30,7 @@ struct Accuracy {
   /// max |f - K u| / (|B^T| |C| |B| |u| + |f|), residual in natural form; rows of nothing but noise are held
   /// against what they could carry.
   double backward_error = 0;
-  double forward_error = 0;   ///< bound on max |u - exact| / max |exact|
+  double forward_error = 0;  ///< bound on max |u - exact| / max |exact|
   int refinements = 0;
   double pivot_ratio = 1;
   /// |sum of loads and reactions| (force; moment about the centroid) over the sum of their magnitudes.
@@ -58,7 +58,7 @@ struct StaticReport {
   Index iterations = 0;  ///< of an iterative solver, all rounds of the slowest load case; 0: a direct one
   std::vector<Phase> phases;
   double peak_bytes = 0;                    ///< resident peak of the process
-  std::vector<std::vector<Index>> dropped;  ///< bodies left out, by model position
+  std::vector<std::vector<Index>> dropped;  ///< bodies left out, ids of their particles
   std::vector<std::string> warnings;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bondstatic/error.hpp"
-#include "solver/ranks.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 

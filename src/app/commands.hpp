@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bondstatic/error.hpp"
-#include "solver/ranks.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 

@@ -5,7 +5,8 @@
 #include <functional>
 
 #include "bondstatic/case_file.hpp"
-#include "solver/ranks.hpp"
+#include "solver/launched.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 

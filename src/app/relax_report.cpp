@@ -141,10 +141,14 @@ std::string unrest_text(const Case& given, const RelaxedCase& relaxed) {
 std::string relaxation_report(const Case& given, const Relaxation& relaxation,
                               const std::vector<OutputValue>& outputs, const std::string& written) {
   std::vector<const State*> states;
-  for (const RelaxedCase& relaxed : relaxation.cases) states.push_back(&relaxed.state);
-  std::string text = heading(given) + "\n";
+  std::vector<LargestDisplacement> largest;
+  for (const RelaxedCase& relaxed : relaxation.cases) {
+    states.push_back(&relaxed.state);
+    largest.push_back(largest_displacement(given.model, relaxed.state));
+  }
+  std::string text = heading(given, facts_of(given.model)) + "\n";
   // What is expected is the static answer, whose tolerance is not that of a run.
-  text += given.outputs.empty() ? displacement_table(given, states) : outputs_table(outputs, false);
+  text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(outputs, false);
   for (const RelaxedCase& relaxed : relaxation.cases) {
     text += relaxed.state.name.empty() ? "\n" : fmt::format("\n  {}\n", relaxed.state.name);
     Table table;
@@ -153,7 +157,7 @@ std::string relaxation_report(const Case& given, const Relaxation& relaxation,
     text += to_text(table, 2);
   }
   Table last;
-  if (!relaxation.dropped.empty()) last.rows.push_back({"left out", dropped_text(given, relaxation.dropped)});
+  if (!relaxation.dropped.empty()) last.rows.push_back({"left out", dropped_text(relaxation.dropped)});
   if (!written.empty()) last.rows.push_back({"written", written});
   if (!last.rows.empty()) text += "\n" + to_text(last, 2);
   return text + warnings_text(given.warnings) + warnings_text(relaxation.warnings);
@@ -161,7 +165,7 @@ std::string relaxation_report(const Case& given, const Relaxation& relaxation,
 
 std::string certificate_report(const Case& given, const Certificate& certificate) {
   const bool finite = certificate.kinematics == Kinematics::finite;
-  std::string text = heading(given);
+  std::string text = heading(given, facts_of(given.model));
   text += fmt::format("static answer and explicit run, {} kinematics\n", finite ? "finite" : "small");
   for (const CaseCertificate& one : certificate.cases) {
     text += one.name.empty() ? "\n" : fmt::format("\n  {}\n", one.name);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
-#include <set>
 
 #include "app/terminal.hpp"
 
@@ -12,22 +12,17 @@ namespace bondstatic {
 
 namespace {
 
-std::string counts(const Case& given) {
-  const Model& model = given.model;
+std::string counts(const ModelFacts& model, bool si) {
   std::map<std::string, Index> laws;
-  std::vector<Index> in_block(model.blocks.size());
-  for (const Bond& bond : model.bonds) ++in_block[std::size_t(bond.block)];
-  for (std::size_t b = 0; b < in_block.size(); ++b)
-    if (in_block[b] > 0) laws[model.blocks[b].law] += in_block[b];
+  for (const auto& [law, bonds] : model.bonds_by_law)
+    if (bonds > 0) laws[law] = bonds;
   std::string by_law;
   for (const auto& [law, count] : laws)
     by_law += (by_law.empty() ? "" : ", ") + (laws.size() == 1 ? law : fmt::format("{} {}", count, law));
-  std::set<Index> supported;
-  for (const Support& support : model.supports) supported.insert(support.particle);
-  return fmt::format("{}, {}{}, {} supported, {}{}", counted(Index(model.particles.size()), "particle"),
-                     counted(Index(model.bonds.size()), "bond"), by_law.empty() ? "" : " (" + by_law + ")",
-                     supported.size(), counted(Index(model.load_cases.size()), "load case"),
-                     given.si ? ", SI units" : "");
+  return fmt::format("{}, {}{}, {} supported, {}{}", counted(model.particles, "particle"),
+                     counted(model.bonds, "bond"), by_law.empty() ? "" : " (" + by_law + ")",
+                     model.supported_particles, counted(Index(model.load_cases.size()), "load case"),
+                     si ? ", SI units" : "");
 }
 
 }  // namespace
@@ -61,35 +56,35 @@ std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) 
   return to_text(table, 2);
 }
 
-/// Where nothing was asked for, the largest displacement of each load case answers.
-std::string displacement_table(const Case& given, const std::vector<const State*>& states) {
+std::string displacement_table(const std::vector<const State*>& states,
+                               const std::vector<LargestDisplacement>& largest) {
   Table table{{{"load case", "largest displacement", "particle", "ux", "uy", "uz", "energy"}},
               {false, true, true, true, true, true, true}};
-  for (const State* state : states) {
-    const LargestDisplacement largest = largest_displacement(*state);
-    if (largest.particle < 0) continue;
-    const Vector3& u = largest.displacement;
-    table.rows.push_back({state->name.empty() ? "-" : state->name, fmt::format("{:.7g}", u.stableNorm()),
-                          std::to_string(given.model.particles[std::size_t(largest.particle)].id),
-                          fmt::format("{:.7g}", u.x()), fmt::format("{:.7g}", u.y()),
-                          fmt::format("{:.7g}", u.z()), fmt::format("{:.7g}", state->energy)});
+  for (std::size_t c = 0; c < states.size(); ++c) {
+    if (!largest[c].particle) continue;
+    const State& state = *states[c];
+    const Vector3& u = largest[c].displacement;
+    table.rows.push_back({state.name.empty() ? "-" : state.name, fmt::format("{:.7g}", u.stableNorm()),
+                          std::to_string(*largest[c].particle), fmt::format("{:.7g}", u.x()),
+                          fmt::format("{:.7g}", u.y()), fmt::format("{:.7g}", u.z()),
+                          fmt::format("{:.7g}", state.energy)});
   }
   return to_text(table, 2);
 }
 
-std::string dropped_text(const Case& given, const std::vector<std::vector<Index>>& dropped) {
+std::string dropped_text(const std::vector<std::vector<Index>>& dropped) {
   constexpr std::size_t most = 12;
   std::string ids;
   std::size_t particles = 0;
   for (const std::vector<Index>& body : dropped)
-    for (const Index p : body)
-      if (particles++ < most) ids += fmt::format(" {}", given.model.particles[std::size_t(p)].id);
+    for (const Index id : body)
+      if (particles++ < most) ids += fmt::format(" {}", id);
   return fmt::format("{} unsupported, {}:{}{}", counted(Index(dropped.size()), "body"),
                      counted(Index(particles), "particle"), ids, particles > most ? " ..." : "");
 }
 
-std::string heading(const Case& given) {
-  return (given.title.empty() ? "" : bold(given.title, stdout) + "\n") + counts(given) + "\n";
+std::string heading(const Case& given, const ModelFacts& model) {
+  return (given.title.empty() ? "" : bold(given.title, stdout) + "\n") + counts(model, given.si) + "\n";
 }
 
 std::string warnings_text(const std::vector<std::string>& warnings) {
@@ -107,7 +102,7 @@ std::string threads(const StaticReport& report) {
 }
 
 /// What the solve took and how good it is, a line each.
-Table facts(const Case& given, const StaticSolution& solution) {
+Table facts(const StaticSolution& solution) {
   const StaticReport& report = solution.report;
   const Accuracy worst = worst_accuracy(solution);
   double seconds = 0;
@@ -129,25 +124,44 @@ Table facts(const Case& given, const StaticSolution& solution) {
   table.rows.push_back(
       {"memory", fmt::format("{} for the solve predicted, {} at the peak of the process",
                              bytes_text(report.analysis.predicted_bytes), bytes_text(report.peak_bytes))});
-  if (!report.dropped.empty()) table.rows.push_back({"left out", dropped_text(given, report.dropped)});
+  if (!report.dropped.empty()) table.rows.push_back({"left out", dropped_text(report.dropped)});
   return table;
+}
+
+/// Names of the files; the pieces of a grid, a rank each, are only counted.
+std::string names_of(const std::vector<std::string>& files) {
+  std::string names;
+  Index pieces = 0;
+  for (const std::string& file : files) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    const bool piece = name.starts_with("model_") && name.ends_with(".vtu");
+    pieces += piece;
+    if (!piece) names += (names.empty() ? "" : ", ") + file;
+  }
+  return pieces == 0 ? names : fmt::format("{}, and {} of the grid", names, counted(pieces, "piece"));
 }
 
 }  // namespace
 
-std::string report(const Case& given, const Answer& answer, const std::string& folder) {
+std::string report(const Case& given, const ModelFacts& model, const Answer& answer,
+                   const std::vector<LargestDisplacement>& largest, const std::string& folder,
+                   const std::vector<std::string>& files) {
   std::vector<const State*> states;
   for (const State& state : answer.solution.cases) states.push_back(&state);
-  std::string text = heading(given) + "\n";
-  text += given.outputs.empty() ? displacement_table(given, states) : outputs_table(answer.outputs);
-  Table lines = facts(given, answer.solution);
-  if (!folder.empty()) {
-    std::string names;
-    for (const std::string& name : result_files(given.model)) names += (names.empty() ? "" : ", ") + name;
-    lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names), 12)});
-  }
+  std::string text = heading(given, model) + "\n";
+  text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(answer.outputs);
+  Table lines = facts(answer.solution);
+  if (!files.empty())
+    lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names_of(files)), 12)});
   text += "\n" + to_text(lines, 2);
   return text + warnings_text(given.warnings) + warnings_text(answer.solution.report.warnings);
+}
+
+std::string report(const Case& given, const Answer& answer, const std::string& folder) {
+  const std::vector<std::string> files =
+      folder.empty() ? std::vector<std::string>{} : result_files(given.model);
+  return report(given, facts_of(given.model), answer, largest_displacements(given.model, answer.solution),
+                folder, files);
 }
 
 }  // namespace bondstatic

@@ -8,15 +8,22 @@
 namespace bondstatic {
 
 /// Title and what the model consists of.
-std::string heading(const Case& given);
+std::string heading(const Case& given, const ModelFacts& model);
 /// `judged`: what is farther from its expected value than its tolerance is said to be.
 std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged = true);
-std::string displacement_table(const Case& given, const std::vector<const State*>& states);
+/// Where nothing was asked for, the largest displacement of each load case answers.
+std::string displacement_table(const std::vector<const State*>& states,
+                               const std::vector<LargestDisplacement>& largest);
 std::string warnings_text(const std::vector<std::string>& warnings);
-std::string dropped_text(const Case& given, const std::vector<std::vector<Index>>& dropped);
+std::string dropped_text(const std::vector<std::vector<Index>>& dropped);
 std::string counted(Index count, const std::string& what);
 
-/// `folder` is where the results went; "" if nowhere.
+/// Asks nothing of given.model, which may be gone. `files` are the results that went to `folder`; none if
+/// they went nowhere.
+std::string report(const Case& given, const ModelFacts& model, const Answer& answer,
+                   const std::vector<LargestDisplacement>& largest, const std::string& folder,
+                   const std::vector<std::string>& files);
+/// The same where one process has it all; no folder if the results went nowhere.
 std::string report(const Case& given, const Answer& answer, const std::string& folder);
 
 }  // namespace bondstatic

@@ -4,27 +4,24 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/ranked.hpp"
 #include "app/report.hpp"
 #include "app/run_case.hpp"
+#include "app/solve_on_ranks.hpp"
 #include "app/status_line.hpp"
 
 namespace bondstatic {
 
 ExitCode solve(const SolveArguments& arguments, Ranks* ranks) {
+  if (ranks) return solve_on_ranks(arguments, *ranks);
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   StatusLine status;
   status.show("read");
-  Case given = read_case(arguments, arguments.overrides);
-  prepare_for_ranks(given.solve, ranks);
+  const Case given = read_case(arguments, arguments.overrides);
   const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (!arguments.folder.empty() && is_first(ranks)) check_result_folder(given.model, arguments.folder);
-  agree(ranks);
+  if (!arguments.folder.empty()) check_result_folder(facts_of(given.model), arguments.folder);
 
   Answer result = answer(given, [&](const std::string& phase) { status.show(phase); });
-  agree(ranks);
-  if (!is_first(ranks)) return ExitCode::done;
   auto& phases = result.solution.report.phases;
   phases.insert(phases.begin(), {"read", reading});
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,5 +38,18 @@ struct Column {
 
   Index rows() const { return count / components; }
 };
+
+/// Rows of another column in the order given; both must outlive this one.
+inline Column rows_of(const Column& column, std::span<const Index> rows) {
+  return std::visit(
+      [&]<class T>(const Column::Numbers<T>& at) {
+        const Index width = column.components;
+        const Column::Numbers<T> of_row = [&at, rows, width](Index i) {
+          return at(rows[std::size_t(i / width)] * width + i % width);
+        };
+        return Column(column.name, Index(rows.size()) * width, of_row, column.components);
+      },
+      column.at);
+}
 
 }  // namespace bondstatic

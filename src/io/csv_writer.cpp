@@ -10,6 +10,10 @@ void write_csv(OutputFile& file, std::span<const Column> columns) {
   for (const Column& column : columns) header += csv_field(column.name) + ',';
   if (!header.empty()) header.pop_back();
   file.append(header + '\n');
+  write_csv_rows(file, columns);
+}
+
+void write_csv_rows(OutputFile& file, std::span<const Column> columns) {
   constexpr Index block = 8192;  // rows; a megabyte or two of text
   const Index rows = columns.empty() ? 0 : columns.front().rows();
   write_blocks(file, rows, block, [&](Index begin, Index end, fmt::memory_buffer& text) {

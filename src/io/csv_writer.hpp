@@ -14,6 +14,9 @@ namespace bondstatic {
 /// Columns of one component and of equal length.
 void write_csv(OutputFile& file, std::span<const Column> columns);
 
+/// Without the header line.
+void write_csv_rows(OutputFile& file, std::span<const Column> columns);
+
 /// The number as it stands in a table; "" for NaN.
 std::string csv_number(double value);
 

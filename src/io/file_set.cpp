@@ -77,15 +77,32 @@ void FileSet::make_folders(const fs::path& folder) {
     throw fs::filesystem_error("", folder, std::make_error_code(std::errc::not_a_directory));
 }
 
-OutputFile& FileSet::create(const std::string& name) {
+OutputFile& FileSet::open(const std::string& name, OutputFile::Begin begin) {
   finish_current();
-  const fs::path path = staging_ / staged_new / name;
+  const fs::path path = shared_folder() / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) unusable(folder_, error.message());
-  names_.push_back(name);
-  current_ = std::make_unique<OutputFile>(path, (folder_ / name).string(), checkpoint_, threads_);
+  current_ = std::make_unique<OutputFile>(path, (folder_ / name).string(), checkpoint_, threads_, begin);
   return *current_;
+}
+
+OutputFile& FileSet::create(const std::string& name) {
+  OutputFile& file = open(name, OutputFile::Begin::empty);
+  names_.push_back(name);
+  return file;
+}
+
+OutputFile& FileSet::extend(const std::string& name) {
+  return open(name, OutputFile::Begin::at_end);
+}
+
+fs::path FileSet::shared_folder() {
+  const fs::path shared = staging_ / staged_new;
+  std::error_code error;
+  fs::create_directory(shared, error);
+  if (error) unusable(folder_, error.message());
+  return shared;
 }
 
 void FileSet::finish_current() {

@@ -30,6 +30,15 @@ class FileSet {
   /// Starts a file; finishes the one before, whose reference is then no longer valid.
   OutputFile& create(const std::string& name);
 
+  /// Goes on with a file that create() started and another create() finished.
+  OutputFile& extend(const std::string& name);
+
+  /// Where create() puts the files until commit(), made where it is missing. Other processes may put files
+  /// there, too: adopt() makes such a one part of the set, as if it had been created here and now. The others
+  /// must be removed before commit().
+  std::filesystem::path shared_folder();
+  void adopt(const std::string& name) { names_.push_back(name); }
+
   /// Bytes written so far, of all files.
   double bytes() const { return bytes_ + (current_ ? current_->bytes() : 0); }
 
@@ -43,6 +52,7 @@ class FileSet {
   };
 
   void make_folders(const std::filesystem::path& folder);
+  OutputFile& open(const std::string& name, OutputFile::Begin begin);
   void move(const std::filesystem::path& from, const std::filesystem::path& to);
   void finish_current();
   void set_aside(const std::string& name);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "bondstatic/error.hpp"
 
@@ -15,6 +16,13 @@ namespace {
 
 constexpr std::size_t large = std::size_t(1) << 20;
 
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
 [[noreturn]] void fail(const std::string& path, const char* what, int reason) {
   throw Error(ExitCode::internal, fmt::format("{}: cannot {}: {}", path, what, std::strerror(reason)));
 }
@@ -22,9 +30,10 @@ constexpr std::size_t large = std::size_t(1) << 20;
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint,
-                       int threads)
+                       int threads, Begin begin)
     : shown_(std::move(shown)), checkpoint_(std::move(checkpoint)), threads_(threads) {
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int start = begin == Begin::empty ? O_CREAT | O_TRUNC : O_APPEND;
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | start, 0666);
   if (descriptor_ < 0) fail(shown_, "open for writing", errno);
 }
 
@@ -44,6 +53,19 @@ void OutputFile::append(std::string_view text) {
   for (; !text.empty(); text.remove_prefix(std::min(text.size(), large))) {
     if (checkpoint_) checkpoint_();
     write(text.substr(0, large));
+  }
+}
+
+void OutputFile::append_file(const std::filesystem::path& path) {
+  const Descriptor from{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (from.number < 0) fail(path.string(), "open for reading", errno);
+  std::vector<char> block(large);
+  for (;;) {
+    const ssize_t count = ::read(from.number, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path.string(), "read", errno);
+    if (count == 0) return;
+    append({block.data(), std::size_t(count)});
   }
 }
 

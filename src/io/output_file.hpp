@@ -15,9 +15,11 @@ using Checkpoint = std::function<void()>;
 
 class OutputFile {
  public:
+  enum class Begin { empty, at_end };
+
   /// Opens `path` for writing; `shown` is the name that messages use. Throws Error.
   OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint = {},
-             int threads = 1);
+             int threads = 1, Begin begin = Begin::empty);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -25,6 +27,8 @@ class OutputFile {
   /// Format into this, then call flush_if_large().
   fmt::memory_buffer& buffer() { return buffer_; }
   void append(std::string_view text);
+  /// Appends all that is in another file. Throws Error.
+  void append_file(const std::filesystem::path& path);
   /// Bytes written so far.
   double bytes() const { return bytes_; }
   /// Threads that may format what goes into it.

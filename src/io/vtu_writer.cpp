@@ -12,6 +12,9 @@ namespace bondstatic {
 namespace {
 
 constexpr std::uint8_t vtk_line = 3;
+constexpr std::uint8_t vtk_duplicate_point = 1;
+constexpr const char* ghost_array = "vtkGhostType";
+constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 template <class T>
 constexpr const char* vtk_type = "";
@@ -73,6 +76,26 @@ void write_columns(OutputFile& file, std::span<const Column> columns) {
         column.at);
 }
 
+void write_ghosts(OutputFile& file, const LineGrid& grid) {
+  if (!grid.first_copy) return;
+  write_array<std::uint8_t>(file, ghost_array, 1, Index(grid.points.size() / 3), [&](Index i) {
+    return i < *grid.first_copy ? std::uint8_t(0) : vtk_duplicate_point;
+  });
+}
+
+template <class T>
+void declare_array(OutputFile& file, const std::string& name, int components) {
+  print(file, "<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", vtk_type<T>,
+        attribute_text(name), components);
+}
+
+void declare_columns(OutputFile& file, std::span<const Column> columns) {
+  for (const Column& column : columns)
+    std::visit(
+        [&]<class T>(const Column::Numbers<T>&) { declare_array<T>(file, column.name, column.components); },
+        column.at);
+}
+
 void write_lines(OutputFile& file, std::span<const Index> ends) {
   const Index lines = Index(ends.size() / 2);
   write_array<Index>(file, "connectivity", 1, 2 * lines, [&](Index i) { return ends[std::size_t(i)]; });
@@ -83,15 +106,15 @@ void write_lines(OutputFile& file, std::span<const Index> ends) {
 }  // namespace
 
 void write_vtu(OutputFile& file, const LineGrid& grid) {
-  constexpr const char* order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   print(file, "<?xml version=\"1.0\"?>\n");
   print(file,
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n",
-        order);
+        byte_order);
   print(file, "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
         grid.points.size() / 3, grid.lines.size() / 2);
   print(file, "<PointData>\n");
   write_columns(file, grid.point_data);
+  write_ghosts(file, grid);
   print(file, "</PointData>\n<CellData>\n");
   write_columns(file, grid.line_data);
   print(file, "</CellData>\n<Points>\n");
@@ -100,6 +123,24 @@ void write_vtu(OutputFile& file, const LineGrid& grid) {
   print(file, "</Points>\n<Cells>\n");
   write_lines(file, grid.lines);
   print(file, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+}
+
+void write_pvtu(OutputFile& file, std::span<const Column> point_data, std::span<const Column> line_data,
+                const std::vector<std::string>& pieces) {
+  print(file, "<?xml version=\"1.0\"?>\n");
+  print(file,
+        "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n",
+        byte_order);
+  print(file, "<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n");
+  declare_columns(file, point_data);
+  declare_array<std::uint8_t>(file, ghost_array, 1);
+  print(file, "</PPointData>\n<PCellData>\n");
+  declare_columns(file, line_data);
+  print(file, "</PCellData>\n<PPoints>\n");
+  declare_array<double>(file, "Points", 3);
+  print(file, "</PPoints>\n");
+  for (const std::string& piece : pieces) print(file, "<Piece Source=\"{}\"/>\n", attribute_text(piece));
+  print(file, "</PUnstructuredGrid>\n</VTKFile>\n");
 }
 
 }  // namespace bondstatic

@@ -6,6 +6,10 @@ bool is_shifted(const Link& link, const Vector3& position_a, const Vector3& posi
   return (position_b - position_a - link.branch).norm() > 1e-6 * link.branch.norm();
 }
 
+bool is_rigid(const Link& link, const Vector3& position_a, const Vector3& position_b) {
+  return link.stiffness.full_rank() && !is_shifted(link, position_a, position_b);
+}
+
 void append_constraints(std::vector<Constraint>& constraints, const Link& link, Index a, Index b,
                         const Vector3& position_a, const Vector3& position_b) {
   const SectionStiffness& c = link.stiffness;

@@ -24,6 +24,9 @@ struct Constraint {
 /// Does the branch vector go round a periodic cell, so that it is not the difference of the two positions?
 bool is_shifted(const Link& link, const Vector3& position_a, const Vector3& position_b);
 
+/// Does the link alone make its two bodies one? It resists every relative motion and is not shifted.
+bool is_rigid(const Link& link, const Vector3& position_a, const Vector3& position_b);
+
 /// Appends one constraint for each relative motion that C resists; `a` and `b` are the bodies of link.a,
 /// link.b.
 void append_constraints(std::vector<Constraint>& constraints, const Link& link, Index a, Index b,

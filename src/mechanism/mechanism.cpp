@@ -39,20 +39,20 @@ std::vector<HeldComponent> contract(const Model& model, const BondNetwork& netwo
     for (const Index p : components[c]) component_of[std::size_t(p)] = Index(c);
     held[c].particles = std::move(components[c]);
   }
-  const auto is_rigid = [&](const Link& link) {
-    return link.stiffness.full_rank() && !is_shifted(link, position(model, link.a), position(model, link.b));
+  const auto unites = [&](const Link& link) {
+    return is_rigid(link, position(model, link.a), position(model, link.b));
   };
   const auto is_held_here = [&](Index p) { return component_of[std::size_t(p)] >= 0; };
   Partition sets(network.bodies);
   for (const Link& link : network.links)
-    if (is_held_here(link.a) && is_held_here(link.b) && is_rigid(link)) sets.unite(link.a, link.b);
+    if (is_held_here(link.a) && is_held_here(link.b) && unites(link)) sets.unite(link.a, link.b);
   for (auto& particles : sets.members(is_held_here)) {
     HeldComponent& in = held[std::size_t(component_of[std::size_t(particles.front())])];
     for (const Index p : particles) body_of[std::size_t(p)] = Index(in.members.size());
     in.members.push_back(std::move(particles));
   }
   for (const Link& link : network.links) {
-    if (!is_held_here(link.a) || !is_held_here(link.b) || is_rigid(link)) continue;
+    if (!is_held_here(link.a) || !is_held_here(link.b) || unites(link)) continue;
     const Index a = body_of[std::size_t(link.a)], b = body_of[std::size_t(link.b)];
     const Vector3 &at_a = position(model, link.a), &at_b = position(model, link.b);
     if (a == b && !is_shifted(link, at_a, at_b)) continue;

@@ -27,9 +27,11 @@ void for_blocks(Index rows, int threads, Work&& work) {
 }
 
 /// Calls work(block, first row, last row, product, spare) for all blocks; product[0] ... are rows first ...
-/// of K u, and spare has room for as many.
+/// of K u, and spare has room for as many. Copies in u are brought up to date before.
 template <class Scalar, class Packs, class Work>
-void for_products(const std::vector<Block<Packs>>& blocks, const Rows<Scalar>& u, int threads, Work&& work) {
+void for_products(const std::vector<Block<Packs>>& blocks, const Halo& halo, Rows<Scalar>& u, int threads,
+                  Work&& work) {
+  refresh(halo, u);
   const Index count = Index(blocks.size());
   const Index largest = count > 0 ? blocks.front().last : 0;
 #pragma omp parallel num_threads(threads) if (threads > 1 && count >= worth_waking)
@@ -46,8 +48,8 @@ void for_products(const std::vector<Block<Packs>>& blocks, const Rows<Scalar>& u
 }
 
 template <class Scalar, class Work>
-void for_products(const Level<Scalar>& level, const Rows<Scalar>& u, int threads, Work&& work) {
-  std::visit([&](const auto& blocks) { for_products(blocks, u, threads, work); }, level.links);
+void for_products(const Level<Scalar>& level, Rows<Scalar>& u, int threads, Work&& work) {
+  std::visit([&](const auto& blocks) { for_products(blocks, level.halo, u, threads, work); }, level.links);
 }
 
 template <std::size_t Count>
@@ -55,11 +57,12 @@ class BlockSums {
  public:
   explicit BlockSums(Index rows) : part_(std::size_t(block_count(rows))) {}
   std::array<double, Count>& operator[](Index block) { return part_[std::size_t(block)]; }
-  std::array<double, Count> total() const {
+  /// Over all ranks that share the rows.
+  std::array<double, Count> total(const Halo& halo) const {
     std::array<double, Count> sum{};
     for (const auto& part : part_)
       for (std::size_t i = 0; i < Count; ++i) sum[i] += part[i];
-    return sum;
+    return over_all_ranks(halo, sum);
   }
 
  private:

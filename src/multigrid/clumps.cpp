@@ -17,23 +17,23 @@ template <class LinkType>
 class Ties {
  public:
   Ties(const Packing<LinkType>& packing, int threads)
-      : packing_(packing), weight_(packing.links.size()), strongest_(std::size_t(packing.bodies), 0) {
+      : packing_(packing), weight_(packing.links.size()), strongest_(std::size_t(packing.own), 0) {
     const Index links = Index(packing.links.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (Index k = 0; k < links; ++k) weight_[std::size_t(k)] = float(strength(packing.link(k)));
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (Index p = 0; p < packing.bodies; ++p)
-      for_each(p, [&](Index k, Index) {
+    for (Index p = 0; p < packing.own; ++p)
+      for_each_moving(p, [&](Index k, Index) {
         strongest_[std::size_t(p)] = std::max(strongest_[std::size_t(p)], weight_[std::size_t(k)]);
       });
   }
 
-  /// Calls visit(link, other body) for links to bodies that can move.
+  /// Calls visit(link, other body) for links to own bodies that can move.
   template <class Visit>
   void for_each(Index body, Visit visit) const {
-    if (packing_.is_held(body)) return;
-    for (const Index k : packing_.incidence->of(body))
-      if (const Index other = packing_.other_end(k, body); !packing_.is_held(other)) visit(k, other);
+    for_each_moving(body, [&](Index k, Index other) {
+      if (other < packing_.own) visit(k, other);
+    });
   }
   template <class Visit>
   void for_each_strong(Index body, Visit visit) const {
@@ -51,6 +51,13 @@ class Ties {
   }
 
  private:
+  template <class Visit>
+  void for_each_moving(Index body, Visit visit) const {
+    if (packing_.is_held(body)) return;
+    for (const Index k : packing_.incidence->of(body))
+      if (const Index other = packing_.other_end(k, body); !packing_.is_held(other)) visit(k, other);
+  }
+
   const Packing<LinkType>& packing_;
   std::vector<float> weight_, strongest_;
 };
@@ -75,13 +82,40 @@ std::vector<Index> breadth_first(const Ties<LinkType>& ties, Index bodies) {
   return order;
 }
 
+std::vector<Index> clumps_among(const std::vector<Index>& bodies, const std::vector<Index>& clump_of) {
+  std::vector<Index> found;
+  for (const Index p : bodies)
+    if (clump_of[std::size_t(p)] != no_clump) found.push_back(clump_of[std::size_t(p)]);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+// The clumps of copies get numbers behind the own ones, rank by rank and in the order of their owners.
+void number_copies(const Halo& halo, Clumps& clumps) {
+  refresh(halo, clumps.of);  // of copies, now their owners' numbers
+  for (const Neighbour& neighbour : halo.neighbours) {
+    Neighbour coarse{neighbour.rank, clumps_among(neighbour.lent, clumps.of), {}};
+    const std::vector<Index> theirs = clumps_among(neighbour.borrowed, clumps.of);
+    const Index first = clumps.count + clumps.copies;
+    for (const Index p : neighbour.borrowed) {
+      Index& clump = clumps.of[std::size_t(p)];
+      if (clump != no_clump)
+        clump = first + (std::lower_bound(theirs.begin(), theirs.end(), clump) - theirs.begin());
+    }
+    clumps.copies += Index(theirs.size());
+    for (Index c = first; c < clumps.count + clumps.copies; ++c) coarse.borrowed.push_back(c);
+    clumps.neighbours.push_back(std::move(coarse));
+  }
+}
+
 }  // namespace
 
 template <class LinkType>
 Clumps form_clumps(const Packing<LinkType>& packing, int threads) {
   const Ties<LinkType> ties(packing, threads);
-  const std::vector<Index> order = breadth_first(ties, packing.bodies);
-  Clumps clumps{0, std::vector<Index>(std::size_t(packing.bodies), no_clump)};
+  const std::vector<Index> order = breadth_first(ties, packing.own);
+  Clumps clumps{0, std::vector<Index>(std::size_t(packing.bodies), no_clump), 0, {}};
   const auto clump_of = [&](Index p) -> Index& { return clumps.of[std::size_t(p)]; };
 
   for (const Index p : order) {
@@ -112,19 +146,21 @@ Clumps form_clumps(const Packing<LinkType>& packing, int threads) {
     joins.emplace_back(p, most->first);
   }
   for (const auto& [p, clump] : joins) clump_of(p) = clump;
+  if (packing.halo->ranks) number_copies(*packing.halo, clumps);
   return clumps;
 }
 
 Incidence members_of(const Clumps& clumps) {
   Incidence members;
   members.offset.assign(std::size_t(clumps.count) + 1, 0);
+  const auto is_own = [&](Index c) { return c != no_clump && c < clumps.count; };
   for (const Index c : clumps.of)
-    if (c != no_clump) ++members.offset[std::size_t(c) + 1];
+    if (is_own(c)) ++members.offset[std::size_t(c) + 1];
   for (std::size_t c = 0; c < std::size_t(clumps.count); ++c) members.offset[c + 1] += members.offset[c];
   members.link.resize(std::size_t(members.offset.back()));
   std::vector<Index> next(members.offset.begin(), members.offset.end() - 1);
   for (std::size_t p = 0; p < clumps.of.size(); ++p)
-    if (clumps.of[p] != no_clump) members.link[std::size_t(next[std::size_t(clumps.of[p])]++)] = Index(p);
+    if (is_own(clumps.of[p])) members.link[std::size_t(next[std::size_t(clumps.of[p])]++)] = Index(p);
   return members;
 }
 

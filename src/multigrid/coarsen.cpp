@@ -67,6 +67,16 @@ void look_around(const Packing<LinkType>& packing, const Clumps& clumps, const s
   }
 }
 
+template <class LinkType>
+void take_offsets_of_copies(const Packing<LinkType>& packing, std::vector<Vector3>& offset) {
+  if (!packing.halo->ranks) return;
+  std::vector<std::array<double, 3>> plain;
+  for (const Vector3& at : offset) plain.push_back({at.x(), at.y(), at.z()});
+  refresh(*packing.halo, plain);
+  for (std::size_t p = std::size_t(packing.own); p < plain.size(); ++p)
+    offset[p] = Vector3(plain[p][0], plain[p][1], plain[p][2]);
+}
+
 }  // namespace
 
 template <class LinkType>
@@ -97,6 +107,7 @@ std::vector<Vector3> offsets_in_clumps(const Packing<LinkType>& packing, const C
       for (const Index p : all) offset[std::size_t(p)] -= sum / double(all.size());
     }
   }
+  take_offsets_of_copies(packing, offset);
   return offset;
 }
 
@@ -122,7 +133,9 @@ CoarsePacking<Scalar> coarsen(const Packing<LinkType>& packing, const Clumps& cl
     }
   }
   CoarsePacking<Scalar> coarse;
-  coarse.bodies = clumps.count;
+  coarse.own = clumps.count;
+  coarse.bodies = clumps.count + clumps.copies;
+  coarse.halo = {packing.halo->ranks, clumps.neighbours};
   std::size_t links = 0;
   for (const Part& part : parts) links += part.links.size();
   coarse.links.reserve(links);

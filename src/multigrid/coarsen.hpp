@@ -10,12 +10,13 @@ namespace bondstatic::multigrid {
 /// A packing that owns its links.
 template <class Scalar>
 struct CoarsePacking {
-  Index bodies = 0;
+  Index bodies = 0, own = 0;
   std::vector<RigidLink<Scalar>> links;
   Incidence incidence;
   std::vector<Spring> springs;
+  Halo halo;
 
-  Packing<RigidLink<Scalar>> view() const { return {bodies, links, &incidence, {}, {}, springs}; }
+  Packing<RigidLink<Scalar>> view() const { return {bodies, own, links, &incidence, {}, {}, springs, &halo}; }
 };
 
 /// Where a clump's members stand, from the clump's centre (the mean of theirs): walked along the branches of

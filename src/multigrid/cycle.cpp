@@ -22,7 +22,7 @@ template <class Scalar>
 void cycle_from(Hierarchy<Scalar>& h, std::size_t l, int threads) {
   Level<Scalar>& level = h.levels[l];
   if (l + 1 == h.levels.size()) {
-    h.coarsest.solve(level.r, level.x);
+    h.coarsest.solve(level.halo, level.bodies, level.r, level.x);
     return;
   }
   Level<Scalar>& coarse = h.levels[l + 1];
@@ -51,7 +51,7 @@ void ask_coarser(Hierarchy<Scalar>& h, std::size_t l, int threads) {
         const Row<Scalar>*c = level.first.data() + first, *g = level.given.data() + first;
         sums[block] = {dot(c, kc.data(), last - first), dot(c, g, last - first), dot(g, g, last - first)};
       });
-  const auto [ckc, cg, gg] = sums.total();
+  const auto [ckc, cg, gg] = sums.total(level.halo);
   if (!(ckc > 0)) return;  // only in float, where K is indefinite by rounding: the outer iteration sees to it
 
   const double step = cg / ckc;
@@ -64,7 +64,7 @@ void ask_coarser(Hierarchy<Scalar>& h, std::size_t l, int threads) {
     left[block] = {dot(g, g, last - first)};
   });
   double c_share = step, d_share = 0;
-  if (left.total()[0] > enough * enough * gg) {
+  if (left.total(level.halo)[0] > enough * enough * gg) {
     level.r = level.given;
     cycle_from(h, l, threads);
     BlockSums<3> second(rows);
@@ -75,7 +75,7 @@ void ask_coarser(Hierarchy<Scalar>& h, std::size_t l, int threads) {
                                     dot(d, level.product.data() + first, last - first),
                                     dot(d, level.given.data() + first, last - first)};
                  });
-    const auto [dkd, dkc, dg] = second.total();
+    const auto [dkd, dkc, dg] = second.total(level.halo);
     if (const double rest = dkd - dkc * dkc / ckc; rest > 0) {
       d_share = dg / rest;
       c_share -= d_share * dkc / ckc;

@@ -11,25 +11,27 @@ namespace {
 
 // Sums over all rows of a . b and, where it is asked for, a . c.
 template <class A, class B>
-std::array<double, 2> dots(const Rows<A>& a, const Rows<B>& b, const Rows<B>& c, Index rows, int threads) {
+std::array<double, 2> dots(const Halo& halo, const Rows<A>& a, const Rows<B>& b, const Rows<B>& c, Index rows,
+                           int threads) {
   BlockSums<2> sums(rows);
   for_blocks(rows, threads, [&](Index block, Index first, Index last) {
     const Row<A>* of = a.data() + first;
     sums[block] = {dot(of, b.data() + first, last - first),
                    &c == &b ? 0 : dot(of, c.data() + first, last - first)};
   });
-  return sums.total();
+  return sums.total(halo);
 }
 
 // kp = K p without the rows of what is held; returns p . kp and p . r.
 template <class Scalar>
-std::array<double, 2> apply(const Level<Scalar>& level, const Rows<double>& p, const Rows<double>& r,
+std::array<double, 2> apply(const Level<Scalar>& level, Rows<double>& p, const Rows<double>& r,
                             Rows<double>& kp, int threads) {
   const auto& blocks = std::get<std::vector<Block<RoundPack<Scalar>>>>(level.links);
   const auto& held = level.partly_held;
   BlockSums<2> sums(level.bodies);
   for_products(
-      blocks, p, threads, [&](Index block, Index first, Index last, Rows<double>& product, Rows<double>&) {
+      blocks, level.halo, p, threads,
+      [&](Index block, Index first, Index last, Rows<double>& product, Rows<double>&) {
         const auto before = [](const PartlyHeld& body, Index row) { return body.row < row; };
         for (auto body = std::lower_bound(held.begin(), held.end(), first, before);
              body != held.end() && body->row < last; ++body)
@@ -39,7 +41,7 @@ std::array<double, 2> apply(const Level<Scalar>& level, const Rows<double>& p, c
         const Row<double>* along = p.data() + first;
         sums[block] = {dot(along, product.data(), last - first), dot(along, r.data() + first, last - first)};
       });
-  return sums.total();
+  return sums.total(level.halo);
 }
 
 }  // namespace
@@ -49,10 +51,10 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
                         Rows<double>& x) {
   Level<Scalar>& level = hierarchy.levels.front();
   const Index rows = level.bodies;
-  Rows<double> p = make_rows<double>(rows), kp = make_rows<double>(rows);
-  x = make_rows<double>(rows);
+  Rows<double> p = make_rows<double>(rows, level.copies), kp = make_rows<double>(rows);
+  x = make_rows<double>(rows, level.copies);
   Convergence result;
-  const double start = std::sqrt(dots(r, r, r, rows, threads)[0]);
+  const double start = std::sqrt(dots(level.halo, r, r, r, rows, threads)[0]);
   if (!(start > 0)) return {0, 0, start == 0};
 
   double size = start, curvature = 0, energy_at_start = 0, best = 0;
@@ -65,7 +67,7 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     });
     cycle(hierarchy, threads);
     const Rows<Scalar>& z = level.x;
-    const auto [zr, zkp] = dots(z, r, kp, rows, threads);
+    const auto [zr, zkp] = dots(level.halo, z, r, kp, rows, threads);
     if (!(zr > 0) || !std::isfinite(zr)) break;  // rounding has made the cycle indefinite
     const double energy = std::sqrt(size * zr);
     if (result.iterations == 0) energy_at_start = best = energy;
@@ -95,7 +97,7 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
       });
       left[block] = {dot(r.data() + first, r.data() + first, last - first)};
     });
-    size = std::sqrt(left.total()[0]);
+    size = std::sqrt(left.total(level.halo)[0]);
     ++result.iterations;
     if (!(size > 0)) return {result.iterations, 0, size == 0};
   }

@@ -21,7 +21,7 @@ struct Convergence {
 };
 
 /// Solves K x = r in double, K with the numbers that the hierarchy holds. r is overwritten by the residual, x
-/// is set; where the goal is not reached, x is as far as it got.
+/// is set; where the goal is not reached, x is as far as it got. Rows of copies in x are not up to date.
 template <class Scalar>
 Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int threads, Rows<double>& r,
                         Rows<double>& x);

@@ -11,35 +11,57 @@ namespace {
 // Bodies that are solved at once: a triangular solve with their factor costs no more than a cycle around it.
 constexpr Index few_bodies = 64;
 
+template <class LinkType>
+void append_copies(const Packing<LinkType>& packing, Numbering& numbering) {
+  Index next = Index(numbering.body.size()) + 1;  // the ground comes first
+  for (Index p = packing.own; p < packing.bodies; ++p)
+    if (!packing.is_held(p)) numbering.row[std::size_t(p)] = next++;
+}
+
 // Rows in the order of the bodies.
-Numbering number_as_they_come(Index bodies, const std::vector<bool>& held) {
-  Numbering numbering{std::vector<Index>(std::size_t(bodies), no_row), {}};
-  for (Index p = 0; p < bodies; ++p) {
-    if (!held.empty() && held[std::size_t(p)]) continue;
+template <class LinkType>
+Numbering number_as_they_come(const Packing<LinkType>& packing) {
+  Numbering numbering{std::vector<Index>(std::size_t(packing.bodies), no_row), {}};
+  for (Index p = 0; p < packing.own; ++p) {
+    if (packing.is_held(p)) continue;
     numbering.row[std::size_t(p)] = Index(numbering.body.size());
     numbering.body.push_back(p);
   }
+  append_copies(packing, numbering);
   return numbering;
 }
 
 // Clump after clump as the coarser level numbers them, then bodies without a clump.
-Numbering number_by_clumps(const Clumps& clumps, const Numbering& coarse, const std::vector<bool>& held) {
-  const std::size_t bodies = clumps.of.size();
+template <class LinkType>
+Numbering number_by_clumps(const Packing<LinkType>& packing, const Clumps& clumps, const Numbering& coarse) {
+  const auto own = std::size_t(packing.own);
   const auto bin = [&](std::size_t p) {
     return std::size_t(clumps.of[p] == no_clump ? clumps.count : coarse.row[std::size_t(clumps.of[p])]);
   };
-  const auto is_held = [&](std::size_t p) { return !held.empty() && held[p]; };
   std::vector<Index> next(std::size_t(clumps.count) + 2, 0);
-  for (std::size_t p = 0; p < bodies; ++p)
-    if (!is_held(p)) ++next[bin(p) + 1];
+  for (std::size_t p = 0; p < own; ++p)
+    if (!packing.is_held(Index(p))) ++next[bin(p) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  Numbering numbering{std::vector<Index>(bodies, no_row), std::vector<Index>(std::size_t(next.back()))};
-  for (std::size_t p = 0; p < bodies; ++p) {
-    if (is_held(p)) continue;
+  Numbering numbering{std::vector<Index>(std::size_t(packing.bodies), no_row),
+                      std::vector<Index>(std::size_t(next.back()))};
+  for (std::size_t p = 0; p < own; ++p) {
+    if (packing.is_held(Index(p))) continue;
     numbering.row[p] = next[bin(p)]++;
     numbering.body[std::size_t(numbering.row[p])] = Index(p);
   }
+  append_copies(packing, numbering);
   return numbering;
+}
+
+// Lists of bodies as lists of rows; held bodies are no copies to anybody.
+Halo in_rows(const Halo& halo, const Numbering& numbering) {
+  Halo rows{halo.ranks, halo.neighbours};
+  for (Neighbour& neighbour : rows.neighbours)
+    for (std::vector<Index>* list : {&neighbour.lent, &neighbour.borrowed}) {
+      for (Index& body : *list) body = numbering.row[std::size_t(body)];
+      std::erase(*list, no_row);
+    }
+  return rows;
 }
 
 // `free` by body on the finest level; null above it, where all degrees of freedom are free and springs count.
@@ -48,6 +70,8 @@ Level<Scalar> make_level(const Packing<LinkType>& packing, const Numbering& numb
                          const std::vector<std::uint8_t>* free, int threads) {
   Level<Scalar> level;
   level.bodies = Index(numbering.body.size());
+  level.halo = in_rows(*packing.halo, numbering);
+  for (const Neighbour& neighbour : level.halo.neighbours) level.copies += Index(neighbour.borrowed.size());
   level.links = pack_links<Scalar>(packing, numbering, threads);
   level.inverse.resize((numbering.body.size() + pack_size - 1) / pack_size);
 #pragma omp parallel for num_threads(threads) schedule(static)
@@ -64,9 +88,10 @@ Level<Scalar> make_level(const Packing<LinkType>& packing, const Numbering& numb
   for (Index row = 0; free && row < level.bodies; ++row)
     if (const std::uint8_t bits = (*free)[std::size_t(numbering.body[std::size_t(row)])]; bits != all_free)
       level.partly_held.push_back({row, bits});
-  for (Rows<Scalar>* v : {&level.x, &level.r, &level.d, &level.e}) *v = make_rows<Scalar>(level.bodies);
+  const auto make = [&] { return make_rows<Scalar>(level.bodies, level.copies); };
+  for (Rows<Scalar>* v : {&level.x, &level.r, &level.d, &level.e}) *v = make();
   if (!free)
-    for (Rows<Scalar>* v : {&level.given, &level.first, &level.product}) *v = make_rows<Scalar>(level.bodies);
+    for (Rows<Scalar>* v : {&level.given, &level.first, &level.product}) *v = make();
   return level;
 }
 
@@ -75,7 +100,8 @@ void place_clumps(const Clumps& clumps, const Numbering& fine, const Numbering& 
                   const std::vector<Vector3>& offsets, Level<Scalar>& level) {
   level.clump_first.assign(std::size_t(clumps.count) + 1, 0);
   for (const Index clump : clumps.of)
-    if (clump != no_clump) ++level.clump_first[std::size_t(coarse.row[std::size_t(clump)]) + 1];
+    if (clump != no_clump && clump < clumps.count)
+      ++level.clump_first[std::size_t(coarse.row[std::size_t(clump)]) + 1];
   std::partial_sum(level.clump_first.begin(), level.clump_first.end(), level.clump_first.begin());
   level.offset.resize(fine.body.size());
   for (std::size_t row = 0; row < fine.body.size(); ++row) {
@@ -91,17 +117,20 @@ Hierarchy<Scalar> build_hierarchy(const BondNetwork& network, const Incidence& i
                                   const FreeDofs& dofs, int threads, Plan& plan) {
   const bool planned = !plan.numbering.empty();
   std::vector<Spring> springs;
-  const Packing<Link> finest = finest_packing(network, incidence, dofs, springs);
+  Halo halo;
+  const Packing<Link> finest = finest_packing(network, incidence, dofs, springs, halo);
 
   // 1. Coarsen until few bodies are left, or nothing that could be put together.
   std::vector<CoarsePacking<Scalar>> coarse;
   std::vector<std::vector<Vector3>> offsets;
   const auto coarsen_once = [&](const auto& packing) {
     const std::size_t l = coarse.size();
-    if (packing.bodies <= few_bodies) return false;
+    const Index bodies = over_all_ranks(halo, packing.own);
+    if (bodies <= few_bodies) return false;
     if (!planned) plan.clumps.push_back(form_clumps(packing, threads));
     if (plan.clumps.size() == l) return false;
-    if (plan.clumps[l].count == 0) {
+    const Index clumps = over_all_ranks(halo, plan.clumps[l].count);
+    if (clumps == 0 || clumps == bodies) {
       plan.clumps.pop_back();
       return false;
     }
@@ -116,9 +145,11 @@ Hierarchy<Scalar> build_hierarchy(const BondNetwork& network, const Incidence& i
   if (!planned) {
     plan.numbering.resize(last + 1);
     for (std::size_t l = last + 1; l-- > 0;) {
-      const std::vector<bool> held = l == 0 ? finest.held : std::vector<bool>{};
-      plan.numbering[l] = l == last ? number_as_they_come(l == 0 ? finest.bodies : coarse[l - 1].bodies, held)
-                                    : number_by_clumps(plan.clumps[l], plan.numbering[l + 1], held);
+      const auto number = [&](const auto& packing) {
+        return l == last ? number_as_they_come(packing)
+                         : number_by_clumps(packing, plan.clumps[l], plan.numbering[l + 1]);
+      };
+      plan.numbering[l] = l == 0 ? number(finest) : number(coarse[l - 1].view());
     }
   }
 
@@ -126,12 +157,15 @@ Hierarchy<Scalar> build_hierarchy(const BondNetwork& network, const Incidence& i
   Hierarchy<Scalar> hierarchy;
   hierarchy.units = finest.units;
   hierarchy.levels.push_back(make_level<Scalar>(finest, plan.numbering[0], &dofs.free, threads));
-  if (last == 0) hierarchy.coarsest.factorise(finest, plan.numbering[0], hierarchy.levels[0].partly_held);
+  if (last == 0)
+    hierarchy.coarsest.factorise(finest, plan.numbering[0], hierarchy.levels[0].halo,
+                                 hierarchy.levels[0].partly_held);
   for (std::size_t l = 0; l < last; ++l) {
     place_clumps(plan.clumps[l], plan.numbering[l], plan.numbering[l + 1], offsets[l], hierarchy.levels[l]);
     const auto packing = coarse[l].view();
     hierarchy.levels.push_back(make_level<Scalar>(packing, plan.numbering[l + 1], nullptr, threads));
-    if (l + 1 == last) hierarchy.coarsest.factorise(packing, plan.numbering[last], {});
+    if (l + 1 == last)
+      hierarchy.coarsest.factorise(packing, plan.numbering[last], hierarchy.levels[last].halo, {});
     offsets[l] = {};
     coarse[l] = {};
   }

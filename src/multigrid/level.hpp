@@ -19,10 +19,11 @@ struct alignas(stride * sizeof(Scalar)) Row {
 template <class Scalar>
 using Rows = std::vector<Row<Scalar>>;
 
-/// A vector of so many rows, all zero: behind them one for the ground, and room for whole packs.
+/// A vector of so many rows, all zero: behind them one for the ground, one for each copy, and room for whole
+/// packs.
 template <class Scalar>
-Rows<Scalar> make_rows(Index rows) {
-  return Rows<Scalar>(std::size_t((rows + pack_size) / pack_size * pack_size));
+Rows<Scalar> make_rows(Index rows, Index copies = 0) {
+  return Rows<Scalar>(std::size_t((rows + copies + pack_size) / pack_size * pack_size));
 }
 
 /// A body that is held in some degrees of freedom: bit i of `free` as in FreeDofs.
@@ -33,7 +34,9 @@ struct PartlyHeld {
 
 template <class Scalar>
 struct Level {
-  Index bodies = 0;
+  Index bodies = 0;  ///< rows to work on; behind them one for the ground, then the copies
+  Index copies = 0;
+  Halo halo;  ///< of rows
   std::variant<std::vector<Block<RoundPack<Scalar>>>, std::vector<Block<FullPack<Scalar>>>> links;
   std::vector<InversePack<Scalar>> inverse;
   std::vector<PartlyHeld> partly_held;  ///< ascending rows; on the finest level only

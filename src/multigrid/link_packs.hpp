@@ -47,8 +47,9 @@ struct Block {
   std::vector<Pack> across;   ///< a in the block, b outside of it or ground
 };
 
-/// Row of each body, and body of each row. Held bodies have no row; as the other end of a link they stand for
-/// the row after the last, which is always zero.
+/// Row of each body, and body of each row, copies left out. Held bodies have no row; as the other end of a
+/// link they stand for the row after the last, which is always zero. Copies that are not held follow behind
+/// that.
 struct Numbering {
   std::vector<Index> row, body;
 };

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "multigrid/halo.hpp"
 #include "multigrid/rigid_link.hpp"
 #include "system/incidence.hpp"
 
@@ -45,12 +46,14 @@ struct Spring {
 /// LinkType is Link on the finest level and RigidLink above it. Links are seen, not owned.
 template <class LinkType>
 struct Packing {
-  Index bodies = 0;
+  Index bodies = 0;  ///< copies of other ranks' bodies at the end of them included
+  Index own = 0;     ///< bodies 0 ... own-1 are not copies
   std::span<const LinkType> links;
-  const Incidence* incidence = nullptr;  ///< links by body
+  const Incidence* incidence = nullptr;  ///< links by body; of a copy, not all
   Units units;
   std::vector<bool> held;           ///< bodies that are part of the ground; empty: none is
   std::span<const Spring> springs;  ///< ascending bodies
+  const Halo* halo = nullptr;       ///< bodies; set in every packing
 
   bool is_held(Index body) const { return !held.empty() && held[std::size_t(body)]; }
   Index other_end(Index link, Index body) const {
@@ -74,11 +77,12 @@ Matrix6 links_felt_at(const Packing<LinkType>& packing, Index body) {
   return sum;
 }
 
-/// The model's own packing: bodies without unknowns are ground. `springs` gets one for each particle that is
-/// held in some of its degrees of freedom, in these: the finest level leaves such degrees of freedom out and
-/// ignores the springs; clumps, which only move as a whole, feel them instead.
+/// The network's own packing: bodies without unknowns are ground. `springs` gets one for each particle that
+/// is held in some of its degrees of freedom, in these: the finest level leaves such degrees of freedom out
+/// and ignores the springs; clumps, which only move as a whole, feel them instead. `halo` gets what the
+/// network shares.
 Packing<Link> finest_packing(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
-                             std::vector<Spring>& springs);
+                             std::vector<Spring>& springs, Halo& halo);
 
 template <class LinkType>
 const Spring* Packing<LinkType>::spring_of(Index body) const {

@@ -1,5 +1,6 @@
 // The methods of the module. Both run on all ranks of PETSC_COMM_WORLD together: every rank makes the same
-// calls with the same network, loads and options, and gets the same answer.
+// calls in the same order, with the same options and as many right-hand sides. One process may hold a whole
+// network; of several, each holds its share (network.share) and gives and gets values of its share.
 #pragma once
 
 #include <memory>

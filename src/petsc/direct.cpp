@@ -51,6 +51,7 @@ class Direct final : public LinearSolver {
 
   FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) override {
     const SolverThreads guard(threads_);
+    network_ = &network;
     system_->assemble(network, dofs);
     MatFactorError failure = MAT_FACTOR_NOERROR;
     for (PetscInt room = room_to_begin_with;; room *= 3) {
@@ -77,7 +78,7 @@ class Direct final : public LinearSolver {
     for (Index c = 0; c < answer.cols(); ++c) {
       system_->scatter(dofs_, right_hand_sides.col(c), b);
       check_petsc(MatSolve(factor_, b, x));
-      system_->gather(dofs_, x, answer.col(c));
+      system_->gather(*network_, dofs_, x, answer.col(c));
     }
     return answer;
   }
@@ -100,6 +101,7 @@ class Direct final : public LinearSolver {
   int threads_;
   std::vector<std::string> options_;
   FreeDofs dofs_;
+  const BondNetwork* network_ = nullptr;  // of the last factorise()
   std::optional<DistributedSystem> system_;
   PetscMatrix factor_;
   MatFactorInfo info_{};

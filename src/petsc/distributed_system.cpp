@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "bondstatic/error.hpp"
+#include "petsc/halo.hpp"
 #include "petsc/mpi_lifetime.hpp"
 #include "petsc/session.hpp"
 #include "system/block_row.hpp"
@@ -16,21 +18,50 @@ namespace {
 
 constexpr PetscInt block = 6;
 
+Index reduced(Index mine, MPI_Op operation) {
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_INT64_T, operation, PETSC_COMM_WORLD));
+  return mine;
+}
+
+Index sum_of_lower_ranks(Index mine) {
+  Index up_to_here = 0;
+  check_mpi(MPI_Scan(&mine, &up_to_here, 1, MPI_INT64_T, MPI_SUM, PETSC_COMM_WORLD));
+  return up_to_here - mine;
+}
+
 }  // namespace
 
 DistributedSystem::DistributedSystem(const BondNetwork& network, const FreeDofs& dofs)
-    : incidence_(link_incidence(network)), positions_(body_positions(network, incidence_)) {
+    : incidence_(link_incidence(network)) {
   check_mpi(MPI_Comm_rank(PETSC_COMM_WORLD, &rank_));
   check_mpi(MPI_Comm_size(PETSC_COMM_WORLD, &ranks_));
-  layout_ = lay_out(positions_, dofs, ranks_);
-  for (const Index body : own_bodies()) {
-    const BlockCount count = count_blocks(network, incidence_, layout_, rank_, body);
+  if (ranks_ > 1 && !network.share)
+    throw Error(
+        ExitCode::invalid_input,
+        fmt::format("one of {} ranks was given a whole network to solve\n    cure: give each rank its "
+                    "share of the network, or start one process",
+                    ranks_));
+  const Index own_rows = count_rows(network, dofs);
+  rows_ = reduced(own_rows, MPI_SUM);
+  layout_ = lay_out(network, dofs, sum_of_lower_ranks(own_rows));
+  for (const Index body : layout_.body) {
+    const BlockCount count = count_blocks(network, incidence_, dofs, body);
     counts_.push_back(count);
     blocks_ += count.all;
   }
-  Index most = blocks_;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, PETSC_COMM_WORLD));
-  check_index_range(layout_.rows(), most, PETSC_MAX_INT);
+  check_index_range(rows_, reduced(blocks_, MPI_MAX), PETSC_MAX_INT);
+  if (network.share) take_rows_of_copies(network, dofs);
+}
+
+void DistributedSystem::take_rows_of_copies(const BondNetwork& network, const FreeDofs& dofs) {
+  fill_copies(
+      *network.share, [](Index body) { return body; }, layout_.row.data(), PETSC_COMM_WORLD);
+  for (auto p = std::size_t(network.own()); p < layout_.row.size(); ++p)
+    if ((layout_.row[p] >= 0) != (dofs.first[p + 1] > dofs.first[p]))
+      throw Error(ExitCode::internal,
+                  fmt::format("rank {} and the rank that its body {} is a copy from do not agree on whether "
+                              "it may move",
+                              rank_, p));
 }
 
 void DistributedSystem::allocate() {
@@ -39,7 +70,7 @@ void DistributedSystem::allocate() {
     own.push_back(PetscInt(count.own));
     other.push_back(PetscInt(count.all - count.own));
   }
-  const auto rows = block * PetscInt(own_bodies().size());
+  const auto rows = block * PetscInt(layout_.body.size());
   check_petsc(MatCreate(PETSC_COMM_WORLD, matrix_.fresh()));
   check_petsc(MatSetSizes(matrix_, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
   check_petsc(MatSetBlockSize(matrix_, block));
@@ -58,7 +89,7 @@ void DistributedSystem::assemble(const BondNetwork& network, const FreeDofs& dof
   BlockRow row;
   std::vector<PetscInt> columns;
   Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> values;
-  for (const Index body : own_bodies()) {
+  for (const Index body : layout_.body) {
     block_row(network, incidence_, dofs, body, row);
     columns.clear();
     values.resize(6, 6 * Index(row.size()));
@@ -84,7 +115,10 @@ PetscVector DistributedSystem::make_vector() const {
 }
 
 void DistributedSystem::attach_rigid_modes(const BondNetwork& network) {
-  if (layout_.rows() == 0) return;
+  if (rows_ == 0) return;
+  std::vector<Vector3> along_branches;
+  if (!network.share) along_branches = body_positions(network, incidence_);
+  const std::vector<Vector3>& positions = network.share ? network.share->position : along_branches;
   std::array<PetscVector, 6> modes;
   std::array<Vec, 6> raw{};
   for (int i = 0; i < 6; ++i) {
@@ -94,12 +128,12 @@ void DistributedSystem::attach_rigid_modes(const BondNetwork& network) {
     check_petsc(VecGetArray(raw[std::size_t(i)], &values));
     PetscScalar* next = values;
     const Vector3 unit = Vector3::Unit(i % 3);
-    for (const Index body : own_bodies()) {
+    for (const Index body : layout_.body) {
       Vector6 motion = Vector6::Zero();
       if (i < 3)
         motion.head<3>() = unit;
       else
-        motion << unit.cross(positions_[std::size_t(body)]), network.rotation_length * unit;
+        motion << unit.cross(positions[std::size_t(body)]), network.rotation_length * unit;
       next = std::copy(motion.begin(), motion.end(), next);
     }
     check_petsc(VecRestoreArray(raw[std::size_t(i)], &values));
@@ -118,7 +152,7 @@ void DistributedSystem::clear_held(const FreeDofs& dofs, Vec vector) const {
   PetscScalar* values = nullptr;
   check_petsc(VecGetArray(vector, &values));
   PetscScalar* next = values;
-  for (const Index body : own_bodies())
+  for (const Index body : layout_.body)
     for (int i = 0; i < block; ++i, ++next)
       if (!dofs.is_free(body, i)) *next = 0;
   check_petsc(VecRestoreArray(vector, &values));
@@ -129,54 +163,37 @@ void DistributedSystem::scatter(const FreeDofs& dofs, Eigen::Ref<const Eigen::Ve
   PetscScalar* values = nullptr;
   check_petsc(VecGetArray(vector, &values));
   PetscScalar* next = values;
-  for (const Index body : own_bodies()) {
+  for (const Index body : layout_.body) {
     Index unknown = dofs.first[std::size_t(body)];
     for (int i = 0; i < block; ++i) *next++ = dofs.is_free(body, i) ? unknowns[unknown++] : 0.0;
   }
   check_petsc(VecRestoreArray(vector, &values));
 }
 
-void DistributedSystem::gather(const FreeDofs& dofs, Vec vector, Eigen::Ref<Eigen::VectorXd> unknowns) const {
-  std::vector<int> counts, starts;
-  for (int rank = 0; rank < ranks_; ++rank) {
-    counts.push_back(block * int(layout_.bodies_of(rank).size()));
-    starts.push_back(block * int(layout_.first[std::size_t(rank)]));
-  }
-  std::vector<double> all(std::size_t(block * layout_.rows()));
+void DistributedSystem::gather(const BondNetwork& network, const FreeDofs& dofs, Vec vector,
+                               Eigen::Ref<Eigen::VectorXd> unknowns) const {
   const PetscScalar* values = nullptr;
   check_petsc(VecGetArrayRead(vector, &values));
-  check_mpi(MPI_Allgatherv(values, counts[std::size_t(rank_)], MPI_DOUBLE, all.data(), counts.data(),
-                           starts.data(), MPI_DOUBLE, PETSC_COMM_WORLD));
-  check_petsc(VecRestoreArrayRead(vector, &values));
-  const double* next = all.data();
+  const PetscScalar* next = values;
   for (const Index body : layout_.body) {
     Index unknown = dofs.first[std::size_t(body)];
     for (int i = 0; i < block; ++i, ++next)
       if (dofs.is_free(body, i)) unknowns[unknown++] = *next;
   }
+  check_petsc(VecRestoreArrayRead(vector, &values));
+  if (network.share)
+    fill_copies(
+        *network.share, [&](Index body) { return dofs.first[std::size_t(body)]; }, unknowns.data(),
+        PETSC_COMM_WORLD);
 }
 
 AnalysisReport DistributedSystem::report(const BondNetwork& network, const FreeDofs& dofs) const {
-  AnalysisReport report;
-  report.unknowns = dofs.unknowns();
-  report.ordering = ranks_ == 1 ? "1 rank" : fmt::format("{} ranks by coordinate bisection", ranks_);
-  // Blocks of the lower triangle between unknowns, as the direct solvers count them.
-  const auto width = [&](Index p) { return dofs.first[std::size_t(p) + 1] - dofs.first[std::size_t(p)]; };
   Index entries = 0;
-  std::vector<Index> neighbours;
-  for (const Index body : layout_.body) {
-    entries += width(body) * (width(body) + 1) / 2;
-    neighbours.clear();
-    for (const Index k : incidence_.of(body)) {
-      const Link& link = network.links[std::size_t(k)];
-      const Index other = link.a == body ? link.b : link.a;
-      if (other < body) neighbours.push_back(other);
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    for (const Index other : neighbours) entries += width(body) * width(other);
-  }
-  report.matrix_entries = entries;
+  for (const Index body : layout_.body) entries += twice_the_entries(network, incidence_, dofs, body);
+  AnalysisReport report;
+  report.unknowns = reduced(dofs.first[std::size_t(network.own())], MPI_SUM);
+  report.matrix_entries = reduced(entries, MPI_SUM) / 2;
+  report.ordering = ranks_ == 1 ? "1 rank" : fmt::format("{} ranks", ranks_);
   return report;
 }
 

@@ -1,4 +1,5 @@
-// K as PETSc's matrix, by rows over the ranks: each assembles the rows of its own bodies, nothing else.
+// K as PETSc's matrix, by rows over the ranks: each assembles the rows of its own bodies from
+// its own links, and holds nothing of the size of the whole. All functions are called by all ranks.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@ namespace bondstatic {
 class DistributedSystem {
  public:
   /// The pattern; no values yet. PETSc must have been started. Throws Error (invalid_input) where it is
-  /// beyond PETSc's integers.
+  /// beyond PETSc's integers, and where several ranks run and this one holds no share.
   DistributedSystem(const BondNetwork& network, const FreeDofs& dofs);
 
   /// Takes the memory for the matrix at the first call: what it will be is known before.
@@ -30,11 +31,13 @@ class DistributedSystem {
   /// matrix does not.
   void clear_held(const FreeDofs& dofs, Vec vector) const;
 
-  /// From and to all unknowns in the order of FreeDofs; every rank gives and gets them all. Collective.
+  /// From the unknowns of own bodies. Nothing is asked of the values of copies.
   void scatter(const FreeDofs& dofs, Eigen::Ref<const Eigen::VectorXd> unknowns, Vec vector) const;
-  void gather(const FreeDofs& dofs, Vec vector, Eigen::Ref<Eigen::VectorXd> unknowns) const;
+  /// To the unknowns of own bodies and of copies.
+  void gather(const BondNetwork& network, const FreeDofs& dofs, Vec vector,
+              Eigen::Ref<Eigen::VectorXd> unknowns) const;
 
-  /// Unknowns and entries of K; what a method needs on top is the method's to fill in.
+  /// Unknowns and entries of K, of all ranks; what a method needs on top is the method's to fill in.
   AnalysisReport report(const BondNetwork& network, const FreeDofs& dofs) const;
   /// Of this rank's rows of K as PETSc stores them.
   double matrix_bytes() const;
@@ -42,16 +45,15 @@ class DistributedSystem {
   double on_this_machine(double bytes) const;
 
  private:
-  std::span<const Index> own_bodies() const { return layout_.bodies_of(rank_); }
-
+  void take_rows_of_copies(const BondNetwork& network, const FreeDofs& dofs);
   void allocate();
 
   int rank_ = 0, ranks_ = 1;
   Incidence incidence_;
-  std::vector<Vector3> positions_;
   Layout layout_;
-  std::vector<BlockCount> counts_;  ///< of each own body
-  Index blocks_ = 0;                ///< of this rank's rows
+  Index rows_ = 0;                  ///< block rows of all ranks
+  std::vector<BlockCount> counts_;  ///< of each block row of this rank
+  Index blocks_ = 0;                ///< in them
   PetscMatrix matrix_;
 };
 

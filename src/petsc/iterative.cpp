@@ -40,6 +40,7 @@ class Iterative final : public LinearSolver {
 
   FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) override {
     const SolverThreads guard(threads_);
+    network_ = &network;
     system_->assemble(network, dofs);
     system_->attach_rigid_modes(network);
     check_petsc(MatSetOption(system_->matrix(), MAT_SPD, PETSC_TRUE));
@@ -104,7 +105,7 @@ class Iterative final : public LinearSolver {
       left = after / before;
       if (reason < 0) break;
     }
-    system_->gather(dofs_, x, answer);
+    system_->gather(*network_, dofs_, x, answer);
     if (before == 0) left = 0;
     const bool reached = left <= tolerance;
     report_.iterations = std::max(report_.iterations, iterations);
@@ -116,6 +117,7 @@ class Iterative final : public LinearSolver {
   int threads_;
   std::vector<std::string> options_;
   FreeDofs dofs_;
+  const BondNetwork* network_ = nullptr;  // of the last factorise()
   std::optional<DistributedSystem> system_;
   PetscKrylov krylov_;
   SolveReport report_;

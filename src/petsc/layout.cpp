@@ -5,48 +5,64 @@
 #include <algorithm>
 
 #include "bondstatic/error.hpp"
-#include "system/bisection.hpp"
 
 namespace bondstatic {
 
-Layout lay_out(std::span<const Vector3> positions, const FreeDofs& dofs, int ranks) {
-  std::vector<Index> moving;
-  std::vector<Vector3> points;
-  for (std::size_t p = 0; p < positions.size(); ++p) {
-    if (dofs.first[p + 1] == dofs.first[p]) continue;
-    moving.push_back(Index(p));
-    points.push_back(positions[p]);
+namespace {
+
+Index width(const FreeDofs& dofs, Index body) {
+  return dofs.first[std::size_t(body) + 1] - dofs.first[std::size_t(body)];
+}
+
+// Once each, ascending.
+std::vector<Index> moving_neighbours(const BondNetwork& network, const Incidence& incidence,
+                                     const FreeDofs& dofs, Index body) {
+  std::vector<Index> neighbours;
+  for (const Index k : incidence.of(body)) {
+    const Link& link = network.links[std::size_t(k)];
+    const Index other = link.a == body ? link.b : link.a;
+    if (width(dofs, other) > 0) neighbours.push_back(other);
   }
-  const std::vector<int> part = bisect(points, ranks);
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return neighbours;
+}
+
+}  // namespace
+
+Index count_rows(const BondNetwork& network, const FreeDofs& dofs) {
+  Index rows = 0;
+  for (Index p = 0; p < network.own(); ++p) rows += width(dofs, p) > 0;
+  return rows;
+}
+
+Layout lay_out(const BondNetwork& network, const FreeDofs& dofs, Index first) {
   Layout layout;
-  layout.first.assign(std::size_t(ranks) + 1, 0);
-  for (const int r : part) ++layout.first[std::size_t(r) + 1];
-  for (std::size_t r = 0; r < std::size_t(ranks); ++r) layout.first[r + 1] += layout.first[r];
-  layout.body.resize(moving.size());
-  layout.row.assign(positions.size(), -1);
-  std::vector<Index> next(layout.first.begin(), layout.first.end() - 1);
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    const Index row = next[std::size_t(part[i])]++;
-    layout.body[std::size_t(row)] = moving[i];
-    layout.row[std::size_t(moving[i])] = row;
+  layout.row.assign(std::size_t(network.bodies), -1);
+  layout.body.reserve(std::size_t(count_rows(network, dofs)));
+  for (Index p = 0; p < network.own(); ++p) {
+    if (width(dofs, p) == 0) continue;
+    layout.row[std::size_t(p)] = first + Index(layout.body.size());
+    layout.body.push_back(p);
   }
   return layout;
 }
 
-BlockCount count_blocks(const BondNetwork& network, const Incidence& incidence, const Layout& layout,
-                        int rank, Index body) {
-  std::vector<Index> rows{layout.row[std::size_t(body)]};
-  for (const Index k : incidence.of(body)) {
-    const Link& link = network.links[std::size_t(k)];
-    const Index row = layout.row[std::size_t(link.a == body ? link.b : link.a)];
-    if (row >= 0) rows.push_back(row);
+BlockCount count_blocks(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                        Index body) {
+  BlockCount count{1, 1};
+  for (const Index other : moving_neighbours(network, incidence, dofs, body)) {
+    ++count.all;
+    if (other < network.own()) ++count.own;
   }
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  const Index begin = layout.first[std::size_t(rank)], end = layout.first[std::size_t(rank) + 1];
-  const auto own =
-      std::count_if(rows.begin(), rows.end(), [=](Index row) { return begin <= row && row < end; });
-  return {Index(own), Index(rows.size())};
+  return count;
+}
+
+Index twice_the_entries(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                        Index body) {
+  Index across = width(dofs, body) + 1;
+  for (const Index other : moving_neighbours(network, incidence, dofs, body)) across += width(dofs, other);
+  return width(dofs, body) * across;
 }
 
 void check_index_range(Index block_rows, Index blocks_on_a_rank, Index largest) {

@@ -1,8 +1,6 @@
-// Which bodies have rows in the system, in which order, and on which rank: cut by geometry, so that a rank's
-// bodies lie together and few links cross.
+// Which bodies have rows in the system and in which order: rank by rank, each rank's own bodies ascending.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "system/incidence.hpp"
@@ -10,28 +8,29 @@
 namespace bondstatic {
 
 struct Layout {
-  std::vector<Index> body;   ///< of each block row: rank by rank, ascending within one
-  std::vector<Index> row;    ///< block row of each body, -1 where nothing of it is free
-  std::vector<Index> first;  ///< first block row of each rank; size ranks + 1
-
-  Index rows() const { return Index(body.size()); }
-  std::span<const Index> bodies_of(int rank) const {
-    const auto begin = first[std::size_t(rank)], end = first[std::size_t(rank) + 1];
-    return {body.data() + begin, std::size_t(end - begin)};
-  }
+  std::vector<Index> body;  ///< of each block row of this rank
+  std::vector<Index> row;   ///< of each body, counted over all ranks; -1 where nothing of it is free
 };
 
-/// The same on every rank. `positions` are those of body_positions(), one a body of the network.
-Layout lay_out(std::span<const Vector3> positions, const FreeDofs& dofs, int ranks);
+/// Own bodies of which something is free.
+Index count_rows(const BondNetwork& network, const FreeDofs& dofs);
 
-/// Entries of the block rows of `bodies` as 6x6 blocks (both triangles): within the rank that has them, and
-/// in all.
+/// `first`: block rows of lower ranks. Copies have no row yet: it is for the ranks they belong to to say.
+Layout lay_out(const BondNetwork& network, const FreeDofs& dofs, Index first);
+
+/// Entries of an own body's block row as 6x6 blocks (both triangles): within the rank, and in all.
 struct BlockCount {
   Index own = 0;
   Index all = 0;
 };
-BlockCount count_blocks(const BondNetwork& network, const Incidence& incidence, const Layout& layout,
-                        int rank, Index body);
+BlockCount count_blocks(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                        Index body);
+
+/// Twice the entries that an own body adds to the lower triangle of K without fill: its part of what the
+/// direct solvers count, when summed over all bodies of all ranks. What stands between two bodies adds half
+/// to each.
+Index twice_the_entries(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+                        Index body);
 
 /// Throws Error (invalid_input) where a system of so many block rows, so many blocks of them on one rank, is
 /// beyond the integers that PETSc was built with (`largest`).

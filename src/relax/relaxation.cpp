@@ -55,7 +55,7 @@ std::vector<Setup> set_up(const Model& model, const BondNetwork& network, Unsupp
     Held held = as_before ? setups.back().held : held_by(model, network, boundary.free, unsupported);
     if (!as_before)
       relaxation.dropped.insert(relaxation.dropped.end(), held.dropped.begin(), held.dropped.end());
-    const std::string lost = lost_loads(model, held, boundary, model.load_cases[c]);
+    const std::string lost = lost_loads(network, held, boundary, model.load_cases[c]);
     if (!lost.empty()) relaxation.warnings.push_back(lost);
     setups.push_back({std::move(boundary), std::move(held)});
   }

@@ -2,63 +2,82 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bondstatic {
 
 namespace {
 
-bool left_out(const State& result, Index particle) {
-  return std::isnan(result.displacement[std::size_t(particle)][0]);
+bool left_out(const State& state, Index particle) {
+  return std::isnan(state.displacement[std::size_t(particle)][0]);
 }
 
-struct Platen {
-  double centre = 0, displacement = 0, reaction = 0;
-};
-
-/// Means of the position and the displacement along the axis, sum of the reactions.
-Platen platen(const Model& model, const State& result, const std::vector<Index>& particles,
-              const Vector3& axis) {
-  Platen sum;
+/// Means of the position and the displacement, sum of the reactions.
+PlatenParticle platen(const std::vector<PlatenParticle>& particles) {
+  PlatenParticle sum;
   double count = 0;
-  for (const Index p : particles) {
-    if (left_out(result, p)) continue;
-    const std::size_t i = std::size_t(p);
-    sum.centre += axis.dot(model.particles[i].position);
-    sum.displacement += axis.dot(result.displacement[i].head<3>());
-    sum.reaction += axis.dot(result.reaction[i].head<3>());
+  for (const PlatenParticle& particle : particles) {
+    if (std::isnan(particle.displacement)) continue;
+    sum.position += particle.position;
+    sum.displacement += particle.displacement;
+    sum.reaction += particle.reaction;
     ++count;
   }
-  return {sum.centre / count, sum.displacement / count, sum.reaction};
-}
-
-double width(const Model& model, const State& result, const Vector3& direction) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    if (left_out(result, Index(i))) continue;
-    const double centre = direction.dot(model.particles[i].position);
-    low = std::min(low, centre - model.particles[i].radius);
-    high = std::max(high, centre + model.particles[i].radius);
-  }
-  return high - low;
+  return {sum.position / count, sum.displacement / count, sum.reaction};
 }
 
 }  // namespace
 
-double apparent_young(const Model& model, const State& result, const Output& output) {
-  const Vector3 axis = output.axis.normalized();
-  int main_axis = 0;
-  axis.cwiseAbs().maxCoeff(&main_axis);
-  const Vector3 side = Vector3::Unit((main_axis + 1) % 3);
-  const Vector3 first = (side - axis.dot(side) * axis).normalized();
-  const Vector3 second = axis.cross(first);
-  const double area = width(model, result, first) * width(model, result, second);
+PlatenParticle platen_particle(const Model& model, const State& state, Index particle, const Vector3& axis) {
+  if (left_out(state, particle)) return {not_given, not_given, not_given};
+  const Vector3 e = axis.normalized();
+  const auto p = std::size_t(particle);
+  return {e.dot(model.particles[p].position), e.dot(state.displacement[p].head<3>()),
+          e.dot(state.reaction[p].head<3>())};
+}
 
-  const Platen base = platen(model, result, output.base, axis);
-  const Platen top = platen(model, result, output.at, axis);
-  const double height = std::abs(top.centre - base.centre);
+void LateralBox::include(const LateralBox& other) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    low[i] = std::min(low[i], other.low[i]);
+    high[i] = std::max(high[i], other.high[i]);
+  }
+}
+
+LateralBox lateral_box(const Model& model, const State& state, Index count, const Vector3& axis) {
+  const Vector3 e = axis.normalized();
+  int main_axis = 0;
+  e.cwiseAbs().maxCoeff(&main_axis);
+  const Vector3 side = Vector3::Unit((main_axis + 1) % 3);
+  const Vector3 first = (side - e.dot(side) * e).normalized();
+  const Vector3 second = e.cross(first);
+  LateralBox box;
+  for (Index p = 0; p < count; ++p) {
+    if (left_out(state, p)) continue;
+    const Particle& particle = model.particles[std::size_t(p)];
+    const double at[] = {first.dot(particle.position), second.dot(particle.position)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      box.low[i] = std::min(box.low[i], at[i] - particle.radius);
+      box.high[i] = std::max(box.high[i], at[i] + particle.radius);
+    }
+  }
+  return box;
+}
+
+double apparent_young(const std::vector<PlatenParticle>& base, const std::vector<PlatenParticle>& at,
+                      const LateralBox& box) {
+  const PlatenParticle below = platen(base), above = platen(at);
+  const double height = std::abs(above.position - below.position);
   // A specimen in tension pulls its base towards the top; the support pulls back.
-  return -base.reaction * height / (area * (top.displacement - base.displacement));
+  return -below.reaction * height / (box.area() * (above.displacement - below.displacement));
+}
+
+double apparent_young(const Model& model, const State& state, const Output& output) {
+  const auto platen_of = [&](const std::vector<Index>& particles) {
+    std::vector<PlatenParticle> all;
+    for (const Index p : particles) all.push_back(platen_particle(model, state, p, output.axis));
+    return all;
+  };
+  return apparent_young(platen_of(output.base), platen_of(output.at),
+                        lateral_box(model, state, Index(model.particles.size()), output.axis));
 }
 
 }  // namespace bondstatic

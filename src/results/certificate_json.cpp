@@ -46,7 +46,7 @@ std::string certificate_json(const Model& model, const RunInfo& run, const Certi
                       {"bondstatic", version()},
                       {"case", run.file},
                       {"units", run.si ? "SI" : "as given"},
-                      {"counts", counts_of(model)},
+                      {"counts", counts_of(facts_of(model))},
                       {"kinematics", certificate.kinematics == Kinematics::finite ? "finite" : "small"},
                       {"tolerance", certificate.tolerance},
                       {"agrees", certificate.agrees()},

@@ -4,8 +4,8 @@
 
 namespace bondstatic {
 
-std::string load_case_folder(const Model& model, const std::string& name) {
-  if (model.load_cases.size() <= 1) return "";
+std::string load_case_folder(const std::vector<std::string>& load_cases, const std::string& name) {
+  if (load_cases.size() <= 1) return "";
   if (name.empty()) return "unnamed";
   std::string folder;
   for (const char c : name) {

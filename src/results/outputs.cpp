@@ -6,6 +6,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/output.hpp"
 #include "results/apparent_young.hpp"
+#include "results/output_values.hpp"
 #include "results/quantities.hpp"
 
 namespace bondstatic {
@@ -17,6 +18,8 @@ namespace {
               fmt::format("output \"{}\": {}\n    cure: {}", output.name, reason, cure));
 }
 
+}  // namespace
+
 const State& load_case_of(const Output& output, const std::vector<const State*>& states) {
   for (const State* state : states)
     if (state->name == output.load_case) return *state;
@@ -26,7 +29,17 @@ const State& load_case_of(const Output& output, const std::vector<const State*>&
   refuse(output, fmt::format("no load case \"{}\"", output.load_case), "set case to one of " + names);
 }
 
-/// What was left out has no value and does not count; NaN where nothing is left.
+MadeOf made_of(const Output& output) {
+  if (output.of == "apparent_young") return MadeOf::platens;
+  // "energy" is a column of bonds as well: with a selection it is theirs.
+  if (output.of == "energy" && output.at.empty()) return MadeOf::energy;
+  if (output.of == "work") return MadeOf::work;
+  if (find_particle_quantity(output.of)) return MadeOf::particles;
+  if (find_bond_quantity(output.of)) return MadeOf::bonds;
+  refuse(output, fmt::format("no quantity \"{}\"", output.of),
+         "name a column of particles.csv or bonds.csv, energy, work or apparent_young");
+}
+
 double reduce(const Output& output, std::vector<double> values) {
   if (output.reduce == Output::Reduce::value) {
     if (values.size() != 1)
@@ -43,23 +56,31 @@ double reduce(const Output& output, std::vector<double> values) {
   return double(sum);
 }
 
-double quantity_of(const Output& output, const Model& model, const State& result) {
-  if (output.of == "apparent_young") return apparent_young(model, result, output);
-  // "energy" is a column of bonds as well: with a selection it is theirs.
-  if (output.of == "energy" && output.at.empty()) return result.energy;
-  if (output.of == "work") return result.work;
+OutputValue told(const Output& output, double quantity) {
+  return {output.name, output.scale * quantity, output.expected, output.tolerance, output.source};
+}
 
+namespace {
+
+double quantity_of(const Output& output, const Model& model, const State& state) {
   std::vector<double> values;
-  if (const ParticleQuantity* quantity = find_particle_quantity(output.of)) {
-    for (const Index p : output.at) {
-      const std::size_t i = std::size_t(p);
-      values.push_back(quantity->of({model.particles[i], result.displacement[i], result.reaction[i]}));
+  switch (made_of(output)) {
+    case MadeOf::energy:
+      return state.energy;
+    case MadeOf::work:
+      return state.work;
+    case MadeOf::platens:
+      return apparent_young(model, state, output);
+    case MadeOf::particles: {
+      const ParticleQuantity& quantity = *find_particle_quantity(output.of);
+      for (const Index p : output.at) values.push_back(value_at(quantity, model, state, p));
+      break;
     }
-  } else if (const BondQuantity* bond_quantity = find_bond_quantity(output.of)) {
-    for (const Index b : output.at) values.push_back(bond_quantity->of(result.bonds[std::size_t(b)]));
-  } else {
-    refuse(output, fmt::format("no quantity \"{}\"", output.of),
-           "name a column of particles.csv or bonds.csv, energy, work or apparent_young");
+    case MadeOf::bonds: {
+      const BondQuantity& quantity = *find_bond_quantity(output.of);
+      for (const Index b : output.at) values.push_back(quantity.of(state.bonds[std::size_t(b)]));
+      break;
+    }
   }
   return reduce(output, std::move(values));
 }
@@ -88,16 +109,14 @@ double OutputValue::relative_error() const {
 }
 
 double evaluate_output(const Model& model, const State& state, const Output& output) {
-  return output.scale * quantity_of(output, model, state);
+  return told(output, quantity_of(output, model, state)).value;
 }
 
 std::vector<OutputValue> evaluate_outputs(const Model& model, const std::vector<const State*>& states,
                                           const std::vector<Output>& outputs) {
   std::vector<OutputValue> values;
-  for (const Output& output : outputs) {
-    const double value = evaluate_output(model, load_case_of(output, states), output);
-    values.push_back({output.name, value, output.expected, output.tolerance, output.source});
-  }
+  for (const Output& output : outputs)
+    values.push_back(told(output, quantity_of(output, model, load_case_of(output, states))));
   return values;
 }
 

@@ -62,6 +62,11 @@ const std::vector<BondQuantity>& bond_quantities() {
   return table;
 }
 
+double value_at(const ParticleQuantity& quantity, const Model& model, const State& state, Index particle) {
+  const auto p = std::size_t(particle);
+  return quantity.of({model.particles[p], state.displacement[p], state.reaction[p]});
+}
+
 const ParticleQuantity* find_particle_quantity(const std::string& name) {
   return find(particle_quantities(), name);
 }

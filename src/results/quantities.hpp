@@ -35,6 +35,8 @@ const std::vector<ParticleQuantity>& particle_quantities();
 /// In the order of the columns; id, a and b come before them.
 const std::vector<BondQuantity>& bond_quantities();
 
+double value_at(const ParticleQuantity& quantity, const Model& model, const State& state, Index particle);
+
 /// Null where there is none of that name.
 const ParticleQuantity* find_particle_quantity(const std::string& name);
 const BondQuantity* find_bond_quantity(const std::string& name);

@@ -13,13 +13,13 @@ std::string relaxation_json(const Model& model, const RunInfo& run, const Relaxa
                       {"bondstatic", version()},
                       {"case", run.file},
                       {"units", run.si ? "SI" : "as given"},
-                      {"counts", counts_of(model)},
+                      {"counts", counts_of(facts_of(model))},
                       {"at_rest", relaxation.at_rest()},
                       {"threads", relaxation.threads},
                       {"planning_seconds", relaxation.planning_seconds},
                       {"load_cases", cases},
                       {"outputs", outputs_of(outputs)},
-                      {"dropped", bodies_of(model, relaxation.dropped)},
+                      {"dropped", relaxation.dropped},
                       {"warnings", warnings},
                       {"files", files}});
 }

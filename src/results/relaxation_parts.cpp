@@ -41,7 +41,7 @@ const char* name_of(RunEnd end) {
 }  // namespace
 
 Json relaxed_case_of(const Model& model, const RelaxedCase& relaxed) {
-  Json one = state_of(model, relaxed.state);
+  Json one = state_of(model.load_cases, relaxed.state, largest_displacement(model, relaxed.state));
   one["end"] = name_of(relaxed.end);
   one["steps"] = relaxed.steps;
   one["time"] = relaxed.time;

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/csv_writer.hpp"
-#include "io/vtu_writer.hpp"
 #include "results/columns.hpp"
+#include "results/grid.hpp"
 #include "results/load_case_folder.hpp"
 
 namespace bondstatic {
@@ -21,22 +21,10 @@ bool stays_inside(const fs::path& name) {
   return true;
 }
 
-void write_vtu(OutputFile& file, const Model& model, const State& state,
-               const std::vector<Column>& line_data) {
-  std::vector<double> points;
-  points.reserve(3 * model.particles.size());
-  for (const Particle& particle : model.particles)
-    points.insert(points.end(), particle.position.begin(), particle.position.end());
-  std::vector<Index> lines;
-  lines.reserve(2 * model.bonds.size());
-  for (const Bond& bond : model.bonds) lines.insert(lines.end(), {bond.a, bond.b});
-  write_vtu(file, LineGrid{points, lines, point_data(model, state), line_data});
-}
-
 }  // namespace
 
-std::string prefix_of(const Model& model, const std::string& load_case) {
-  const std::string folder = load_case_folder(model, load_case);
+std::string prefix_of(const std::vector<std::string>& load_cases, const std::string& load_case) {
+  const std::string folder = load_case_folder(load_cases, load_case);
   return folder.empty() ? "" : folder + "/";
 }
 
@@ -51,19 +39,37 @@ std::vector<std::string> earlier_files(const std::string& folder) {
   return names;
 }
 
-std::vector<std::string> state_files(const Model& model, const std::string& load_case) {
-  std::vector<std::string> names;
-  for (const char* name : {"particles.csv", "bonds.csv", "model.vtu"})
-    names.push_back(prefix_of(model, load_case) + name);
+std::string grid_piece_file(int rank) {
+  return "model_" + std::to_string(rank) + ".vtu";
+}
+
+std::vector<std::string> state_files(const std::vector<std::string>& load_cases, const std::string& load_case,
+                                     int ranks) {
+  const std::string prefix = prefix_of(load_cases, load_case);
+  std::vector<std::string> names{prefix + particle_table, prefix + bond_table};
+  if (ranks == 1) {
+    names.push_back(prefix + grid_file);
+    return names;
+  }
+  for (int rank = 0; rank < ranks; ++rank) names.push_back(prefix + grid_piece_file(rank));
+  names.push_back(prefix + grid_of_pieces_file);
   return names;
 }
 
 void write_state(FileSet& files, const Model& model, const State& state) {
-  const std::string prefix = prefix_of(model, state.name);
-  write_csv(files.create(prefix + "particles.csv"), particle_columns(model, state));
-  const std::vector<Column> bonds = bond_columns(model, state);
-  write_csv(files.create(prefix + "bonds.csv"), bonds);
-  write_vtu(files.create(prefix + "model.vtu"), model, state, bonds);
+  const std::string prefix = prefix_of(model.load_cases, state.name);
+  write_csv(files.create(prefix + particle_table), particle_columns(model, state));
+  write_csv(files.create(prefix + bond_table), bond_columns(model, state));
+  write_grid(files.create(prefix + grid_file), model, state);
+}
+
+// Some 18 characters a number in a table, and 32 for three in base64.
+double typical_table_bytes(Index particles, Index bonds) {
+  return 18.0 * (17 * double(particles) + 15 * double(bonds));
+}
+
+double typical_grid_bytes(Index particles, Index bonds) {
+  return 32 / 3.0 * (17 * double(particles) + 19 * double(bonds));
 }
 
 }  // namespace bondstatic

@@ -28,11 +28,12 @@ Json accuracy_of(const Accuracy& accuracy) {
           {"energy_balance", accuracy.energy_balance}};
 }
 
-Json load_cases_of(const Model& model, const StaticSolution& solution) {
+Json load_cases_of(const ModelFacts& model, const StaticSolution& solution,
+                   const std::vector<LargestDisplacement>& largest) {
   Json cases = Json::array();
-  for (const LoadCaseResult& result : solution.cases) {
-    Json one = state_of(model, result);
-    one["accuracy"] = accuracy_of(result.accuracy);
+  for (std::size_t c = 0; c < solution.cases.size(); ++c) {
+    Json one = state_of(model.load_cases, solution.cases[c], largest[c]);
+    one["accuracy"] = accuracy_of(solution.cases[c].accuracy);
     cases.push_back(std::move(one));
   }
   return cases;
@@ -62,7 +63,8 @@ Accuracy worst_accuracy(const StaticSolution& solution) {
   return worst;
 }
 
-std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
+std::string summary_json(const ModelFacts& model, const RunInfo& run, const StaticSolution& solution,
+                         const std::vector<LargestDisplacement>& largest,
                          const std::vector<OutputValue>& outputs, const std::vector<std::string>& files) {
   const StaticReport& report = solution.report;
   std::vector<std::string> warnings = run.warnings;
@@ -77,13 +79,18 @@ std::string summary_json(const Model& model, const RunInfo& run, const StaticSol
       {"counts", counts},
       {"solver", solver_of(report)},
       {"accuracy", accuracy_of(worst_accuracy(solution))},
-      {"load_cases", load_cases_of(model, solution)},
+      {"load_cases", load_cases_of(model, solution, largest)},
       {"outputs", outputs_of(outputs)},
       {"phases", phases_of(report)},
       {"memory", {{"predicted_bytes", report.analysis.predicted_bytes}, {"peak_bytes", report.peak_bytes}}},
-      {"dropped", bodies_of(model, report.dropped)},
+      {"dropped", report.dropped},
       {"warnings", warnings},
       {"files", files}});
+}
+
+std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
+                         const std::vector<OutputValue>& outputs, const std::vector<std::string>& files) {
+  return summary_json(facts_of(model), run, solution, largest_displacements(model, solution), outputs, files);
 }
 
 }  // namespace bondstatic

@@ -5,21 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "bondstatic/model.hpp"
-#include "bondstatic/output.hpp"
-#include "bondstatic/state.hpp"
+#include "bondstatic/results.hpp"
 #include "bondstatic/version.hpp"
 
 namespace bondstatic {
 
 using Json = nlohmann::ordered_json;
 
-Json counts_of(const Model& model);
+Json counts_of(const ModelFacts& model);
 Json outputs_of(const std::vector<OutputValue>& outputs);
-Json state_of(const Model& model, const State& state);
-
-/// Lists of particle ids: positions mean nothing outside.
-Json bodies_of(const Model& model, const std::vector<std::vector<Index>>& bodies);
+Json state_of(const std::vector<std::string>& load_cases, const State& state,
+              const LargestDisplacement& largest);
 
 /// Indented; titles may hold bytes that are no UTF-8: they become U+FFFD, and the rest is still told.
 std::string to_text(const Json& json);

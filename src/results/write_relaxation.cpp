@@ -9,7 +9,7 @@ namespace bondstatic {
 namespace {
 
 std::string history_file(const Model& model, const std::string& load_case) {
-  return prefix_of(model, load_case) + "history.csv";
+  return prefix_of(model.load_cases, load_case) + "history.csv";
 }
 
 std::vector<std::string> superseded_by_relaxation(const std::string& folder) {
@@ -25,7 +25,7 @@ std::vector<std::string> superseded_by_relaxation(const std::string& folder) {
 std::vector<std::string> relaxation_files(const Model& model) {
   std::vector<std::string> names;
   for (const std::string& load_case : model.load_cases) {
-    for (const std::string& name : state_files(model, load_case)) names.push_back(name);
+    for (const std::string& name : state_files(model.load_cases, load_case)) names.push_back(name);
     names.push_back(history_file(model, load_case));
   }
   names.insert(names.end(), {"case.resolved.toml", "summary.json"});

@@ -7,35 +7,33 @@
 
 namespace bondstatic {
 
-namespace {
-
-/// Bytes of the tables and the grid of a load case where no number is zero: some 18 characters a number in a
-/// table, and 32 for three in base64.
-double typical_state_bytes(const Model& model) {
-  constexpr double in_table = 18, in_grid = 32 / 3.0;
-  const double particles = double(model.particles.size()), bonds = double(model.bonds.size());
-  return 1 + particles * 17 * (in_table + in_grid) + bonds * (15 * in_table + 19 * in_grid);
-}
-
-}  // namespace
-
-std::vector<std::string> result_files(const Model& model) {
+std::vector<std::string> result_files(const ModelFacts& model, int ranks) {
   std::vector<std::string> names;
   for (const std::string& load_case : model.load_cases)
-    for (const std::string& name : state_files(model, load_case)) names.push_back(name);
+    for (const std::string& name : state_files(model.load_cases, load_case, ranks)) names.push_back(name);
   names.insert(names.end(), {"case.resolved.toml", "summary.json"});
   return names;
 }
 
-void check_result_folder(const Model& model, const std::string& folder) {
+void check_result_folder(const ModelFacts& model, const std::string& folder, int ranks) {
   sweep_stale_staging(folder);
-  check_writable(folder, result_files(model), earlier_files(folder));
+  check_writable(folder, result_files(model, ranks), earlier_files(folder));
+}
+
+std::vector<std::string> result_files(const Model& model) {
+  return result_files(facts_of(model));
+}
+
+void check_result_folder(const Model& model, const std::string& folder) {
+  check_result_folder(facts_of(model), folder);
 }
 
 void write_results(const Model& model, const RunInfo& run, const StaticSolution& solution,
                    const std::vector<OutputValue>& outputs, const std::string& folder,
                    const std::function<void()>& checkpoint, const std::function<void(double)>& progress) {
-  const double bytes = double(model.load_cases.size()) * typical_state_bytes(model);
+  const auto particles = Index(model.particles.size()), bonds = Index(model.bonds.size());
+  const double bytes = 1 + double(model.load_cases.size()) *
+                               (typical_table_bytes(particles, bonds) + typical_grid_bytes(particles, bonds));
   const FileSet* written = nullptr;
   const Checkpoint look = [&] {
     if (checkpoint) checkpoint();

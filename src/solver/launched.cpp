@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "solver/ranks.hpp"
+#include "solver/launched.hpp"
 
 namespace bondstatic {
 

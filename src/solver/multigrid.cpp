@@ -9,6 +9,8 @@
 #include "multigrid/flexible_cg.hpp"
 #include "solver/backends.hpp"
 #include "solver/cost_model.hpp"
+#include "system/together.hpp"
+#include "system/unknowns.hpp"
 
 namespace bondstatic {
 
@@ -29,11 +31,16 @@ class Multigrid final : public LinearSolver {
     incidence_ = link_incidence(network);
     plan_ = {};
     AnalysisReport report;
-    report.unknowns = dofs.unknowns();
     report.ordering = "clumps";
-    report.matrix_entries = 36 * Index(network.links.size());
+    report.unknowns = dofs.first[std::size_t(network.own())];
+    for (const Link& link : network.links) report.matrix_entries += network.owns(link) ? 36 : 0;
     report.predicted_bytes =
         linear_cost(network.bodies, Index(network.links.size()), multigrid_rates, threads_).bytes;
+    if (Ranks* const ranks = ranks_of(network)) {
+      report.unknowns = Index(sum_of_all(ranks, double(report.unknowns)));
+      report.matrix_entries = Index(sum_of_all(ranks, double(report.matrix_entries)));
+      report.predicted_bytes = largest_of_all(ranks, report.predicted_bytes) * ranks->on_this_machine();
+    }
     return report;
   }
 
@@ -68,14 +75,14 @@ class Multigrid final : public LinearSolver {
     Rows<double> x, r = to_rows(b);
     if (single_) {
       const Convergence in_float = flexible_cg(*single_, {1e-6, 150, 20}, threads_, r, x);
-      if (in_float.reached) return to_unknowns(x, in_float, single_->units);
+      if (in_float.reached) return to_unknowns(x, in_float, *single_);
       report_.note = fmt::format("went over to double precision after {} iterations", in_float.iterations);
       report_.iterations += in_float.iterations;
       to_double();
       r = to_rows(b);
     }
     const Convergence in_double = flexible_cg(*double_, {1e-10, 2000, 200}, threads_, r, x);
-    return to_unknowns(x, in_double, double_->units);
+    return to_unknowns(x, in_double, *double_);
   }
 
   Rows<double> to_rows(const Eigen::VectorXd& b) const {
@@ -89,17 +96,17 @@ class Multigrid final : public LinearSolver {
     return rows;
   }
 
-  Eigen::VectorXd to_unknowns(const Rows<double>& x, const Convergence& convergence, const Units& units) {
+  template <class Scalar>
+  Eigen::VectorXd to_unknowns(Rows<double>& x, const Convergence& convergence, const Hierarchy<Scalar>& of) {
+    refresh(of.levels.front().halo, x);
     report_.iterations += convergence.iterations;
     report_.reduction = std::max(report_.reduction, convergence.reduction);
     report_.reached = report_.reached && convergence.reached;
-    const auto& body = plan_.numbering.front().body;
+    const auto& row = plan_.numbering.front().row;
     Eigen::VectorXd values(dofs_.unknowns());
-    for (std::size_t row = 0; row < body.size(); ++row) {
-      Index unknown = dofs_.first[std::size_t(body[row])];
-      for (int i = 0; i < 6; ++i)
-        if (dofs_.is_free(body[row], i)) values[unknown++] = x[row].at[i] / units.stiffness;
-    }
+    for_each_unknown(dofs_, [&](std::size_t p, int i, Index unknown) {
+      values[unknown] = x[std::size_t(row[p])].at[i] / of.units.stiffness;
+    });
     return values;
   }
 

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "bondstatic/linear_solver.hpp"
-#include "solver/ranks.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 
 /// To be counted up with every change to the types that cross.
-inline constexpr int petsc_module_abi = 1;
+inline constexpr int petsc_module_abi = 2;
 
 using MakeModuleSolver = std::unique_ptr<LinearSolver> (*)(int threads,
                                                            const std::vector<std::string>& options);

@@ -24,7 +24,9 @@ const std::vector<Backend>& backends() {
        make_cholmod},
 #endif
       {{"multigrid",
-        "clump multigrid: conjugate gradients with rigid clumps of particles; for large packings"},
+        "clump multigrid: conjugate gradients with rigid clumps of particles; for large packings; on MPI "
+        "ranks",
+        true},
        make_multigrid},
       {{"eigen", "Eigen's SimplicialLDLT, ordered on particles by AMD; for small models"}, make_eigen},
       {{"petsc", "PETSc's conjugate gradients with GAMG on the rigid modes, on MPI ranks; options behind --",

@@ -44,7 +44,7 @@ Cost multigrid_cost(const BondNetwork& network, int threads) {
 
 std::string first_direct() {
   for (const SolverInfo& info : available_solvers())
-    if (info.name != "multigrid" && !info.on_ranks) return info.name;
+    if (!info.on_ranks) return info.name;
   return "eigen";
 }
 

@@ -49,6 +49,7 @@ double backward_error(const BondNetwork& network, const Incidence& incidence, co
   BodyVectors<double> largest;  // seldom needed
   double worst = 0;
   for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
+    if (Index(p) >= network.own()) return;
     double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
     if (!(scale > 0)) return;
     const double left = std::abs(double_of(r[p][i]));

@@ -16,7 +16,7 @@ BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence&
 /// all terms of a row vanish by symmetry but for noise, the row is held against what it could carry where
 /// everything moved by `size` (M. Arioli, J. W. Demmel, I. S. Duff, SIAM J. Matrix Anal. Appl. 10, 1989). The
 /// residual is formed in Scalar: Extended, or double, whose few roundings of its own are then part of the
-/// measure.
+/// measure. On several ranks, of own bodies.
 template <class Scalar>
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
                       const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads);

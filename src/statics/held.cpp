@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bondstatic/mechanism.hpp"
+#include "system/together.hpp"
 
 namespace bondstatic {
 
@@ -12,10 +14,11 @@ namespace {
 
 // A body that nothing holds is left out as a whole: its particles get no unknowns.
 void drop_unsupported(const Model& model, const BondNetwork& network, Held& held) {
-  held.dropped = unsupported_bodies(network, held.dofs);
   std::vector<std::uint8_t> free = held.dofs.free;
-  for (const auto& body : held.dropped) {
+  for (const auto& body : unsupported_bodies(network, held.dofs)) {
+    held.dropped.emplace_back();
     for (const Index p : body) {
+      held.dropped.back().push_back(model.particles[std::size_t(p)].id);
       held.left_out[std::size_t(p)] = true;
       free[std::size_t(p)] = 0;
     }
@@ -38,19 +41,21 @@ Held held_by(const Model& model, const BondNetwork& network, std::vector<std::ui
   return held;
 }
 
-std::string lost_loads(const Model& model, const Held& held, const Boundary& boundary,
-                       const std::string& load_case) {
-  Vector3 lost = Vector3::Zero();
-  Index particles = 0;
-  for (std::size_t p = 0; p < model.particles.size(); ++p) {
+std::string lost_loads(const BondNetwork& network, const Held& held, const Boundary& boundary,
+                       const std::string& load_case, Ranks* ranks) {
+  std::array<Extended, 4> lost{0.0, 0.0, 0.0, 0.0};  // force, particles
+  for (std::size_t p = 0; p < std::size_t(network.own()); ++p) {
     if (!held.left_out[p] || boundary.load[p].isZero(0)) continue;
-    lost += boundary.load[p].head<3>();
-    ++particles;
+    for (std::size_t i = 0; i < 3; ++i) lost[i] += boundary.load[p][Index(i)];
+    lost[3] += 1.0;
   }
-  if (particles == 0) return "";
+  add_up(ranks, lost);
+  const auto number = [&](std::size_t i) { return to_double(lost[i]); };
+  if (number(3) == 0) return "";
   const std::string where = load_case.empty() ? "" : " of load case \"" + load_case + "\"";
-  return fmt::format("loads{} on {} dropped particles are not carried, force ({:.6g}, {:.6g}, {:.6g}) in all",
-                     where, particles, lost.x(), lost.y(), lost.z());
+  return fmt::format(
+      "loads{} on {:.0f} dropped particles are not carried, force ({:.6g}, {:.6g}, {:.6g}) in all", where,
+      number(3), number(0), number(1), number(2));
 }
 
 }  // namespace bondstatic

@@ -5,13 +5,14 @@
 #include "bondstatic/network.hpp"
 #include "bondstatic/statics.hpp"
 #include "model/boundary.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 
 struct Held {
   FreeDofs dofs;
   std::vector<bool> left_out;               ///< by particle
-  std::vector<std::vector<Index>> dropped;  ///< bodies left out, by model position
+  std::vector<std::vector<Index>> dropped;  ///< bodies left out, ids of their particles
 };
 
 /// `free` as in FreeDofs. Bodies that nothing holds are left out as a whole where `unsupported` says so.
@@ -20,8 +21,9 @@ struct Held {
 Held held_by(const Model& model, const BondNetwork& network, std::vector<std::uint8_t> free,
              Unsupported unsupported);
 
-/// What loads of a load case are lost with particles left out, as a warning; "" where none are.
-std::string lost_loads(const Model& model, const Held& held, const Boundary& boundary,
-                       const std::string& load_case);
+/// What loads of a load case are lost with particles left out, as a warning; "" where none are. On several
+/// ranks the same on all.
+std::string lost_loads(const BondNetwork& network, const Held& held, const Boundary& boundary,
+                       const std::string& load_case, Ranks* ranks = nullptr);
 
 }  // namespace bondstatic

@@ -7,6 +7,7 @@
 
 #include "bondstatic/error.hpp"
 #include "statics/residual.hpp"
+#include "system/together.hpp"
 #include "system/unknowns.hpp"
 
 namespace bondstatic {
@@ -21,7 +22,7 @@ constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residu
 
 Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
                                        const Boundary& boundary, const FreeDofs& dofs, bool iterative,
-                                       int threads) {
+                                       int threads, Ranks* ranks) {
   // The first correction of an iterative solver is good to six digits: what it leaves is known well enough
   // in double, in a tenth of the time.
   const double length = network.rotation_length;
@@ -33,15 +34,15 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Inciden
           : to_unknowns(bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs,
                         length);
   const double before = residual;
-  residual = r.lpNorm<Eigen::Infinity>();
+  residual = largest_of_all(ranks, r.head(dofs.first[std::size_t(network.own())]).lpNorm<Eigen::Infinity>());
   if (steps == 0) first_residual = residual;
   force_contraction = before > 0 ? residual / before : 1;
   return r;
 }
 
-void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length) {
+void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks) {
   const double before = correction;
-  correction = step.lpNorm<Eigen::Infinity>();
+  correction = largest_of_all(ranks, step.lpNorm<Eigen::Infinity>());
   contraction = steps > 0 && before > 0 ? correction / before : 1;
   size = 0;
   for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
@@ -49,6 +50,7 @@ void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double leng
     motion[p][i] += Extended(step[unknown]) / scale;
     size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
   });
+  size = largest_of_all(ranks, size);
   setbacks = steps > 0 && (contraction > 0.5 || correction == 0) ? setbacks + 1 : 0;
   ++steps;
 }

@@ -1,10 +1,12 @@
-// One load case on its way to the last digit.
+// One load case on its way to the last digit. Its figures are those of all ranks, so that all of them judge
+// alike.
 #pragma once
 
 #include "bondstatic/linear_solver.hpp"
 #include "model/boundary.hpp"
 #include "system/extended.hpp"
 #include "system/natural_form.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 
@@ -19,12 +21,13 @@ struct Iterate {
   int setbacks = 0;  ///< rounds in a row that did not contract
   bool done = false;
 
-  /// The right-hand side of the next correction.
+  /// The right-hand side of the next correction; on several ranks, of own bodies.
   Eigen::VectorXd next_residual(const BondNetwork& network, const Incidence& incidence,
-                                const Boundary& boundary, const FreeDofs& dofs, bool iterative, int threads);
+                                const Boundary& boundary, const FreeDofs& dofs, bool iterative, int threads,
+                                Ranks* ranks);
 
   /// Takes a correction.
-  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length);
+  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks);
 
   /// Whether it is done, by a direct solver or an iterative one. Both throw AccuracyError where corrections
   /// do not contract.

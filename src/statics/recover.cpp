@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "statics/outside_forces.hpp"
+#include "system/together.hpp"
+
 namespace bondstatic {
 
 namespace {
@@ -50,40 +53,6 @@ BondResult no_result() {
           not_given};
 }
 
-double ratio(const Extended& part, const Extended& whole) {
-  return whole > 0.0 ? to_double(part / whole) : 0.0;
-}
-
-/// Sums over all that acts on the particles from outside.
-class OutsideForces {
- public:
-  explicit OutsideForces(const Model& model) : model_(model) {
-    Vector3 centre = Vector3::Zero();
-    for (const Particle& particle : model.particles) centre += particle.position;
-    centre_ = (centre / double(std::max<std::size_t>(1, model.particles.size()))).cast<Extended>();
-  }
-
-  void add(std::size_t p, const Extended6& outside, const Extended6& motion) {
-    for (int i = 0; i < 6; ++i) work_ += outside[i] * motion[i];
-    const Extended3 f = outside.head<3>(), m = outside.tail<3>();
-    const Extended3 arm = model_.particles[p].position.cast<Extended>() - centre_;
-    force_ += f;
-    moment_ += arm.cross(f) + m;
-    forces_ += f.norm();
-    moments_ += arm.norm() * f.norm() + m.norm();
-  }
-
-  Extended work() const { return work_; }
-  double force_balance() const { return ratio(force_.norm(), forces_); }
-  double moment_balance() const { return ratio(moment_.norm(), moments_); }
-
- private:
-  const Model& model_;
-  Extended3 centre_;
-  Extended3 force_ = Extended3::Zero(), moment_ = Extended3::Zero();
-  Extended forces_ = 0.0, moments_ = 0.0, work_ = 0.0;
-};
-
 /// What one bond carries; adds nothing up, so that many can be formed at once. Returns its energy.
 Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
                const std::vector<Vector6>& displacement, BondResult& found) {
@@ -107,7 +76,7 @@ Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<E
 
 LoadCaseResult recover(const Model& model, const BondNetwork& network, const Incidence& incidence,
                        const std::vector<BondProperties>& properties, const Boundary& boundary,
-                       const std::vector<bool>& left_out, const Refined& refined, int threads) {
+                       const std::vector<bool>& left_out, const Refined& refined, int threads, Ranks* ranks) {
   const std::size_t particles = model.particles.size();
   const Index bonds = Index(network.links.size());
   const auto& motion = refined.motion;
@@ -136,16 +105,19 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
       else
         own = carry(link, properties[std::size_t(k)], motion, result.displacement, found);
     }
-    for (Index k = first; k < last; ++k) energy += energies[std::size_t(k - first)];
+    for (Index k = first; k < last; ++k)
+      if (network.owns(network.links[std::size_t(k)])) energy += energies[std::size_t(k - first)];
   }
 
   constexpr std::uint8_t all_free = 0x3f;
-  OutsideForces all(model);
+  const auto own = std::size_t(network.own());
+  OutsideForces all(model, network.own(), ranks);
   for (std::size_t p = 0; p < particles; ++p) {
     if (left_out[p]) {
       result.reaction[p] = Vector6::Constant(not_given);
       continue;
     }
+    if (p >= own) continue;  // another rank has all that acts on it
     // Where nothing is prescribed the outside force is the load; B^T q equals it only to the residual.
     Extended6 outside = boundary.load[p].cast<Extended>();
     if ((boundary.free[p] & all_free) != all_free) {
@@ -162,6 +134,8 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
     }
     all.add(p, outside, motion[p]);
   }
+  all.add_up(ranks);
+  add_up(ranks, {&energy, 1});
   result.energy = to_double(energy);
   result.work = to_double(all.work());
   result.accuracy.energy_balance = ratio(abs(2.0 * energy - all.work()), 2.0 * energy);

@@ -6,6 +6,7 @@
 
 #include "statics/error_estimates.hpp"
 #include "statics/iterate.hpp"
+#include "system/together.hpp"
 #include "system/unknowns.hpp"
 
 namespace bondstatic {
@@ -13,7 +14,7 @@ namespace bondstatic {
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
                                    LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
-                                   const std::function<void(const std::string&)>& progress) {
+                                   const std::function<void(const std::string&)>& progress, Ranks* ranks) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
   std::vector<Iterate> iterates(cases.size());
@@ -24,16 +25,16 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
   const auto all_done = [&] {
     return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
   };
-  for (int round = 1; dofs.unknowns() > 0 && !all_done(); ++round) {
+  for (int round = 1; solver && !all_done(); ++round) {
     right_hand_sides.setZero();
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (!iterates[c].done)
         right_hand_sides.col(Index(c)) =
-            iterates[c].next_residual(network, incidence, *cases[c], dofs, iterative, threads);
+            iterates[c].next_residual(network, incidence, *cases[c], dofs, iterative, threads, ranks);
     const Eigen::MatrixXd corrections = solver->solve(right_hand_sides);
     for (std::size_t c = 0; c < cases.size(); ++c) {
       if (iterates[c].done) continue;
-      iterates[c].add(corrections.col(Index(c)), dofs, length);
+      iterates[c].add(corrections.col(Index(c)), dofs, length, ranks);
       if (iterative)
         iterates[c].judge_iterative(solver->last_solve());
       else
@@ -58,7 +59,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
           to_unknowns(rounding_forces(network, incidence, answers[c]), dofs, length);
   }
   // What an iterative solver leaves is far above the rounding of the natural form: one solve is saved.
-  if (dofs.unknowns() > 0 && !iterative) right_hand_sides = solver->solve(right_hand_sides);
+  if (solver && !iterative) right_hand_sides = solver->solve(right_hand_sides);
 
   std::vector<Refined> refined(cases.size());
   for (std::size_t c = 0; c < cases.size(); ++c) {
@@ -66,11 +67,12 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
     accuracy.pivot_ratio = pivot_ratio;
     accuracy.refinements = std::max(0, iterates[c].steps - 1);
     const auto measure = iterative ? backward_error<double> : backward_error<Extended>;
-    accuracy.backward_error =
-        measure(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads);
+    accuracy.backward_error = largest_of_all(
+        ranks, measure(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
     const double left =
         iterative ? 2 * iterates[c].expected_error()
-                  : 2 * iterates[c].correction + 4 * right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>();
+                  : 2 * iterates[c].correction +
+                        4 * largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());
     if (iterates[c].size > 0) accuracy.forward_error = 0x1p-53 + negligible + left / iterates[c].size;
     refined[c].motion = std::move(iterates[c].motion);
   }

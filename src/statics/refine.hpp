@@ -19,6 +19,7 @@
 #include "model/boundary.hpp"
 #include "system/extended.hpp"
 #include "system/natural_form.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 
@@ -35,10 +36,11 @@ struct Effort {
 
 /// Solves all load cases of one factorisation at once; `solver` may be null where nothing is unknown. Throws
 /// AccuracyError where corrections do not contract. `progress` hears of each round of an iterative solver;
-/// may be null.
+/// may be null. `ranks`: where the network is one rank's share.
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
                                    LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
-                                   const std::function<void(const std::string&)>& progress);
+                                   const std::function<void(const std::string&)>& progress,
+                                   Ranks* ranks = nullptr);
 
 }  // namespace bondstatic

@@ -8,8 +8,11 @@
 #include "solver/machine.hpp"
 #include "statics/choose.hpp"
 #include "statics/held.hpp"
+#include "statics/held_on_ranks.hpp"
+#include "statics/partners.hpp"
 #include "statics/recover.hpp"
 #include "statics/stopwatch.hpp"
+#include "system/together.hpp"
 
 namespace bondstatic {
 
@@ -21,10 +24,17 @@ struct Group {
   Held held;
 };
 
-std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries) {
-  std::vector<Group> groups;
+std::vector<Group> group_by_supports(const std::vector<Boundary>& boundaries, Ranks* ranks) {
+  std::vector<Index> label;  // of each case: the first case that holds the same
   for (std::size_t c = 0; c < boundaries.size(); ++c) {
-    const auto same = [&](const Group& g) { return boundaries[g.cases.front()].free == boundaries[c].free; };
+    std::size_t first = 0;
+    while (boundaries[first].free != boundaries[c].free) ++first;
+    label.push_back(Index(first));
+  }
+  if (ranks) label = common_labels(*ranks, label);
+  std::vector<Group> groups;
+  for (std::size_t c = 0; c < label.size(); ++c) {
+    const auto same = [&](const Group& g) { return label[g.cases.front()] == label[c]; };
     auto group = std::find_if(groups.begin(), groups.end(), same);
     if (group == groups.end()) group = groups.insert(groups.end(), Group{});
     group->cases.push_back(c);
@@ -53,8 +63,8 @@ void check_pivots(const Model& model, const FreeDofs& dofs, const FactorReport& 
 // Factorises and refines the load cases of a group.
 std::vector<Refined> solved(const Model& model, const BondNetwork& network, const Incidence& incidence,
                             const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
-                            LinearSolver* solver, const StaticOptions& options, Stopwatch& timed,
-                            StaticReport& report) {
+                            LinearSolver* solver, const StaticOptions& options, Ranks* ranks,
+                            Stopwatch& timed, StaticReport& report) {
   const bool iterative = solver && solver->iterative();
   FactorReport factor;
   if (solver) {
@@ -65,16 +75,16 @@ std::vector<Refined> solved(const Model& model, const BondNetwork& network, cons
   Effort effort;
   auto refined = timed(iterative ? "iterations" : "refinement", [&] {
     return solve_refined(network, incidence, dofs, cases, solver, factor.pivot_ratio, report.threads, effort,
-                         options.progress);
+                         options.progress, ranks);
   });
   report.iterations = std::max(report.iterations, effort.iterations);
   for (const std::string& note : effort.notes) report.warnings.push_back(report.solver + " " + note);
   return refined;
 }
 
-}  // namespace
-
-StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
+// `partners`: null where the model is all of it.
+StaticSolution solve(const Model& model, const Partners* partners, const StaticOptions& options) {
+  Ranks* const ranks = ranks_of(partners);
   StaticSolution solution;
   StaticReport& report = solution.report;
   Stopwatch timed(report.phases, options.progress);
@@ -84,30 +94,41 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
 
   // 1. What each bond is: C, contact point, section.
   const auto properties = timed("bonds", [&] { return bond_properties(model, report.threads); });
-  const BondNetwork network = bond_network(model, properties);
+  BondNetwork network = bond_network(model, properties);
+  NetworkShare share;
+  if (partners) {
+    share = share_of(partners->piece, *ranks);
+    network.share = &share;
+    network.rotation_length = rotation_length_of_all(network, *ranks);
+  }
   const Incidence incidence = link_incidence(network);
 
   // 2. What is held and what is loaded, one boundary a load case; cases with the same supports go together.
   std::vector<Boundary> boundaries;
   for (std::size_t c = 0; c < model.load_cases.size(); ++c)
     boundaries.push_back(boundary_of(model, Index(c)));
-  std::vector<Group> groups = group_by_supports(boundaries);
+  std::vector<Group> groups = group_by_supports(boundaries, ranks);
   solution.cases.resize(boundaries.size());
 
   for (Group& group : groups) {
     // 3. Motions that cost no energy never reach the solver.
     const auto& free = boundaries[group.cases.front()].free;
-    group.held = timed("mechanisms", [&] { return held_by(model, network, free, options.unsupported); });
+    group.held = timed("mechanisms", [&] {
+      if (partners)
+        return held_on_ranks(*partners, network, free, Index(group.cases.front()), options.unsupported);
+      return held_by(model, network, free, options.unsupported);
+    });
     const FreeDofs& dofs = group.held.dofs;
     report.dropped.insert(report.dropped.end(), group.held.dropped.begin(), group.held.dropped.end());
     for (const std::size_t c : group.cases) {
-      const std::string lost = lost_loads(model, group.held, boundaries[c], model.load_cases[c]);
+      const std::string lost =
+          lost_loads(network, group.held, boundaries[c], model.load_cases[c], ranks);
       if (!lost.empty()) report.warnings.push_back(lost);
     }
 
     // 4. Choose a solver; order and predict, so that what does not fit ends before it is begun.
     Chosen chosen;
-    if (dofs.unknowns() > 0) {
+    if (largest_of_all(ranks, double(dofs.unknowns())) > 0) {
       chosen = timed("analysis", [&] { return choose(network, incidence, dofs, options, report.threads); });
       if (chosen.analysis.factor_entries >= report.analysis.factor_entries) {
         report.analysis = chosen.analysis;
@@ -121,7 +142,8 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
     for (const std::size_t c : group.cases) loads.push_back(&boundaries[c]);
     std::vector<Refined> refined;
     const auto solve_by = [&](Chosen& by) {
-      refined = solved(model, network, incidence, dofs, loads, by.solver.get(), options, timed, report);
+      refined =
+          solved(model, network, incidence, dofs, loads, by.solver.get(), options, ranks, timed, report);
     };
     try {
       solve_by(chosen);
@@ -144,7 +166,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
       for (std::size_t i = 0; i < group.cases.size(); ++i) {
         LoadCaseResult& result = solution.cases[group.cases[i]];
         result = recover(model, network, incidence, properties, *loads[i], group.held.left_out, refined[i],
-                         report.threads);
+                         report.threads, ranks);
         result.name = model.load_cases[group.cases[i]];
         if (!(result.accuracy.backward_error <= options.tolerance))
           throw AccuracyError(
@@ -157,8 +179,18 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
   // What several groups of load cases leave out is said once.
   std::sort(report.dropped.begin(), report.dropped.end());
   report.dropped.erase(std::unique(report.dropped.begin(), report.dropped.end()), report.dropped.end());
-  report.peak_bytes = peak_resident_memory();
+  report.peak_bytes = largest_of_all(ranks, peak_resident_memory());
   return solution;
+}
+
+}  // namespace
+
+StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
+  return solve(model, nullptr, options);
+}
+
+StaticSolution solve_statics(const Partners& partners, const StaticOptions& options) {
+  return solve(partners.piece.model, &partners, options);
 }
 
 }  // namespace bondstatic

@@ -5,24 +5,17 @@
 
 namespace bondstatic {
 
-namespace {
-
-// Half the mean branch is the lever arm by which rotations move a contact point. A power of two scales
-// without rounding, and hardly ever depends on the order of the sum.
-double rotation_length(const Model& model) {
-  double sum = 0;
-  for (const Bond& bond : model.bonds) sum += bond.branch.norm();
-  if (!(sum > 0)) return 1;
-  const double mean = 0.5 * sum / double(model.bonds.size());
-  return std::exp2(std::round(std::log2(mean)));
+double rotation_length(double branches, double bonds) {
+  if (!(branches > 0)) return 1;
+  return std::exp2(std::round(std::log2(0.5 * branches / bonds)));
 }
-
-}  // namespace
 
 BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties) {
   BondNetwork network;
   network.bodies = Index(model.particles.size());
-  network.rotation_length = rotation_length(model);
+  double branches = 0;
+  for (const Bond& bond : model.bonds) branches += bond.branch.norm();
+  network.rotation_length = rotation_length(branches, double(model.bonds.size()));
   network.links.reserve(model.bonds.size());
   for (std::size_t k = 0; k < model.bonds.size(); ++k) {
     const Bond& bond = model.bonds[k];

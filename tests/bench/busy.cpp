@@ -30,4 +30,16 @@ BusyProcesses::~BusyProcesses() {
   }
 }
 
+void BusyProcesses::tell_all(int signal) {
+  for (const pid_t child : children_) kill(child, signal);
+}
+
+void BusyProcesses::pause() {
+  tell_all(SIGSTOP);
+}
+
+void BusyProcesses::resume() {
+  tell_all(SIGCONT);
+}
+
 }  // namespace bondstatic::bench

@@ -7,6 +7,8 @@
 
 namespace bondstatic::bench {
 
+/// They compute from the start. To be made before large models: pages that a fork shares are copied when they
+/// are next written to, which would be measured, too.
 class BusyProcesses {
  public:
   explicit BusyProcesses(int count);
@@ -14,7 +16,12 @@ class BusyProcesses {
   BusyProcesses(const BusyProcesses&) = delete;
   BusyProcesses& operator=(const BusyProcesses&) = delete;
 
+  void pause();
+  void resume();
+
  private:
+  void tell_all(int signal);
+
   std::vector<pid_t> children_;
 };
 

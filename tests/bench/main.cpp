@@ -1,46 +1,130 @@
+#include <charconv>
 #include <cstdio>
-#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "bench/million.hpp"
+#include "bench/residual.hpp"
 #include "bench/solvers.hpp"
 #include "bench/tables.hpp"
 
 namespace {
 
-int usage(const char* found) {
-  std::fprintf(stderr,
-               "found %s, allowed are\n"
-               "    run                                  the tables that the README quotes\n"
-               "    run solvers [--million] [--quick]    all solvers on growing packings\n"
-               "        [--packing NAME]... [--solver NAME]...   only these\n",
-               found);
-  return 2;
+using namespace bondstatic;
+using namespace bondstatic::bench;
+
+constexpr const char* usage =
+    "    run                                  the tables that the README quotes\n"
+    "    run solvers [--million] [--quick]    all solvers on growing packings\n"
+    "        [--packing NAME]... [--solver NAME]...   only these\n"
+    "    run residual [--packing NAME]... [--particles N]\n"
+    "                                         multigrid and PETSc's GAMG to the same true residual\n"
+    "    run million [--particles N] [--keep] the program on a million particles, from case file to results\n"
+    "    run busy                             of the first tables, solves beside busy processes\n";
+
+// What is left of the command line.
+class Arguments {
+ public:
+  Arguments(int count, char** values) : left_(values + 1, values + count) {}
+
+  bool empty() const { return left_.empty(); }
+
+  bool take(const std::string& name) {
+    if (empty() || left_.front() != name) return false;
+    left_.erase(left_.begin());
+    return true;
+  }
+
+  /// `name` and the value behind it.
+  bool take(const std::string& name, std::string& value) {
+    if (left_.size() < 2 || !take(name)) return false;
+    value = left_.front();
+    left_.erase(left_.begin());
+    return true;
+  }
+
+  bool take(const std::string& name, Index& number) {
+    std::string text;
+    if (!take(name, text)) return false;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || number < 1)
+      throw std::invalid_argument(name + " " + text);
+    return true;
+  }
+
+  [[noreturn]] void refuse() const { throw std::invalid_argument(left_.front()); }
+
+ private:
+  std::vector<std::string> left_;
+};
+
+void run_solvers(Arguments& arguments) {
+  Campaign campaign;
+  campaign.plot = BONDSTATIC_BINARY_DIR "/solvers.svg";
+  for (std::string name; !arguments.empty();) {
+    if (arguments.take("--million"))
+      campaign.million = true;
+    else if (arguments.take("--quick"))
+      campaign.quick = true;
+    else if (arguments.take("--packing", name))
+      campaign.packings.push_back(name);
+    else if (arguments.take("--solver", name))
+      campaign.solvers.push_back(name);
+    else
+      arguments.refuse();
+  }
+  compare_solvers(campaign);
+}
+
+void run_residual(Arguments& arguments) {
+  Race race;
+  for (std::string name; !arguments.empty();) {
+    if (arguments.take("--packing", name))
+      race.packings.push_back(name);
+    else if (!arguments.take("--particles", race.particles))
+      arguments.refuse();
+  }
+  race_to_residual(race);
+}
+
+void run_million(Arguments& arguments) {
+  Million asked;
+  while (!arguments.empty()) {
+    if (arguments.take("--keep"))
+      asked.keep = true;
+    else if (!arguments.take("--particles", asked.particles))
+      arguments.refuse();
+  }
+  print_million(asked);
+}
+
+void run(Arguments& arguments) {
+  if (arguments.take("solvers")) return run_solvers(arguments);
+  if (arguments.take("residual")) return run_residual(arguments);
+  if (arguments.take("million")) return run_million(arguments);
+  const bool busy_only = arguments.take("busy");
+  if (!arguments.empty()) arguments.refuse();
+  std::puts("| what | figure |\n|---|---|");
+  if (busy_only) return print_crowded();
+  print_statics();
+  print_crowded();
+  print_dynamics();
 }
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  using namespace bondstatic::bench;
-  if (count > 1) {
-    if (std::strcmp(arguments[1], "solvers") != 0) return usage(arguments[1]);
-    Campaign campaign;
-    campaign.plot = BONDSTATIC_BINARY_DIR "/solvers.svg";
-    for (int i = 2; i < count; ++i) {
-      if (std::strcmp(arguments[i], "--million") == 0)
-        campaign.million = true;
-      else if (std::strcmp(arguments[i], "--quick") == 0)
-        campaign.quick = true;
-      else if (std::strcmp(arguments[i], "--packing") == 0 && i + 1 < count)
-        campaign.packings.emplace_back(arguments[++i]);
-      else if (std::strcmp(arguments[i], "--solver") == 0 && i + 1 < count)
-        campaign.solvers.emplace_back(arguments[++i]);
-      else
-        return usage(arguments[i]);
-    }
-    compare_solvers(campaign);
-    return 0;
+int main(int count, char** values) {
+  Arguments arguments(count, values);
+  try {
+    run(arguments);
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "found %s, allowed are\n%s", error.what(), usage);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
-  std::puts("| what | figure |\n|---|---|");
-  print_statics();
-  print_dynamics();
   return 0;
 }

@@ -1,14 +1,12 @@
 #include "bench/measure.hpp"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <type_traits>
 
 #include "bench/in_child.hpp"
 #include "bench/naive.hpp"
+#include "bench/peak_memory.hpp"
 #include "bench/rates.hpp"
 #include "bench/timing.hpp"
 #include "bondstatic/error.hpp"
@@ -22,27 +20,6 @@ namespace {
 constexpr double short_time = 2;  // seconds; what takes less is repeated
 constexpr int most_repeats = 7;
 
-double status_bytes(const std::string& name) {
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind(name + ":", 0) == 0) return 1024 * std::strtod(line.c_str() + name.size() + 1, nullptr);
-  return 0;
-}
-
-// Peak of the resident size from a moment on.
-class PeakAbove {
- public:
-  void begin() {
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5;
-    stood_ = status_bytes("VmRSS");
-  }
-  double bytes() const { return std::max(0.0, status_bytes("VmHWM") - stood_); }
-
- private:
-  double stood_ = 0;
-};
-
 double phase(const StaticReport& report, std::initializer_list<const char*> names) {
   double seconds = 0;
   for (const Phase& p : report.phases)
@@ -51,7 +28,7 @@ double phase(const StaticReport& report, std::initializer_list<const char*> name
 }
 
 void solve_by_backend(const Model& model, const std::string& solver, int threads, Measurement& result) {
-  PeakAbove peak;
+  PeakMemory peak;
   StaticOptions options;
   options.solver = solver;
   options.threads = threads;
@@ -85,7 +62,7 @@ void solve_by_backend(const Model& model, const std::string& solver, int threads
 }
 
 void solve_otherwise(const Model& model, const std::string& solver, int threads, Measurement& result) {
-  PeakAbove peak;
+  PeakMemory peak;
   peak.begin();
   result.seconds = seconds_of([&] {
     if (solver == "naive") {

@@ -26,7 +26,7 @@ std::vector<Contender> contenders() {
   // Ranks are to PETSc what threads are to the others; here it is one process.
   for (const SolverInfo& info : available_solvers())
     list.push_back({info.name, info.name == "eigen" ? 9000 : Index(1) << 40,
-                    info.on_ranks ? std::vector<int>{1} : std::vector<int>{1, 2}});
+                    info.name.starts_with("petsc") ? std::vector<int>{1} : std::vector<int>{1, 2}});
   return list;
 }
 

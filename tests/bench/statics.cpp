@@ -1,38 +1,22 @@
-// The static solve: whole process for the reference cantilever, and a
-// cubic lattice of 8,000 particles against the naive version and on a busy machine. Ratios are formed within
-// one run.
+// The static solve: whole process for the reference cantilever, and a cubic lattice of 8,000 particles
+// against the naive version. Ratios are formed within one run.
 #include "bondstatic/statics.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
-#include "bench/busy.hpp"
 #include "bench/naive.hpp"
+#include "bench/program.hpp"
 #include "bench/tables.hpp"
+#include "bench/threads.hpp"
 #include "bench/timing.hpp"
 #include "support/models.hpp"
 
 namespace bondstatic::bench {
 namespace {
-
-void run_program(const std::string& case_file) {
-  std::fflush(stdout);  // else the child writes it, too
-  const pid_t child = fork();
-  if (child == 0) {
-    if (!freopen("/dev/null", "w", stdout)) _exit(1);
-    execl(BONDSTATIC_PROGRAM, "bondstatic", "solve", case_file.c_str(), static_cast<char*>(nullptr));
-    _exit(127);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (status != 0) throw std::runtime_error("the program failed on " + case_file);
-}
 
 // Simple cubic, touching particles, foot held, head pushed down and aside.
 Model cubic_lattice(int edge) {
@@ -83,55 +67,34 @@ double phase_seconds(const StaticReport& report, const std::string& name) {
   return 0;
 }
 
-std::string plural(int threads) {
-  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
-}
-
-StaticOptions on_threads(const std::string& solver, int threads) {
-  StaticOptions options;
-  options.solver = solver;
-  options.threads = threads;
-  return options;
-}
-
-// Idle, then beside other processes; returns the seconds of one thread, idle.
+// Returns the seconds of one thread.
 double print_solver(const Model& model, const std::string& solver) {
-  const int cores = int(sysconf(_SC_NPROCESSORS_ONLN));
-  std::vector<int> thread_counts{1};
-  for (int t = 2; t <= cores; t *= 2) thread_counts.push_back(t);
-  std::vector<double> idle;
-  for (const int threads : thread_counts) {
+  double on_one = 0;
+  for (const int threads : thread_counts()) {
     StaticReport report;
-    idle.push_back(
-        median_seconds(5, [&] { report = solve_statics(model, on_threads(solver, threads)).report; }));
+    const double seconds =
+        median_seconds(5, [&] { report = solve_statics(model, on_threads(solver, threads)).report; });
+    if (threads == 1) on_one = seconds;
     const std::string how =
         report.iterations > 0
             ? fmt::format("{} iterations", report.iterations)
             : fmt::format("factorisation {:.2f} s at {:.1f} Gflop/s", phase_seconds(report, "factorisation"),
                           1e-9 * report.analysis.factor_flops / phase_seconds(report, "factorisation"));
     fmt::print("| 20x20x20 lattice, {} unknowns, {}, {} | {:.2f} s, {} |\n", report.analysis.unknowns, solver,
-               plural(threads), idle.back(), how);
+               plural(threads), seconds, how);
   }
-  constexpr int others = 4;
-  const BusyProcesses busy(others);
-  for (std::size_t i = 0; i < thread_counts.size(); ++i) {
-    const double fair = std::max(1.0, double(thread_counts[i] + others) / cores);
-    const double seconds =
-        median_seconds(5, [&] { solve_statics(model, on_threads(solver, thread_counts[i])); });
-    fmt::print(
-        "| the same beside {} busy processes, {} | {:.2f} s, {:.2f} of the fair share ({:.2f} x idle) |\n",
-        others, plural(thread_counts[i]), seconds, seconds / idle[i] / fair, fair);
-  }
-  return idle.front();
+  return on_one;
 }
 
 }  // namespace
 
 void print_statics() {
   const std::string cantilever = BONDSTATIC_SOURCE_DIR "/cases/cantilever/case.toml";
-  run_program(cantilever);
+  run_program({"solve", cantilever});
   fmt::print("| reference cantilever, whole process | {:.1f} ms (median of 21) |\n",
-             1e3 * median_seconds(21, [&] { run_program(cantilever); }));
+             1e3 * median_seconds(21, [&] {
+               run_program({"solve", cantilever});
+             }));
 
   const Model lattice = cubic_lattice(20);
   const double direct = print_solver(lattice, "cholmod"), multigrid = print_solver(lattice, "multigrid");

@@ -4,6 +4,7 @@
 namespace bondstatic::bench {
 
 void print_statics();
+void print_crowded();
 void print_dynamics();
 
 }  // namespace bondstatic::bench

@@ -150,5 +150,24 @@ TEST(FileSet, FailedWriteNamesThePathAndLeavesNothing) {
   EXPECT_THAT(everything_in(scratch.path()), IsEmpty());
 }
 
+TEST(FileSet, TakesFilesOfOtherProcessesAndGoesOnWithItsOwn) {
+  const ScratchFolder scratch;
+  {
+    FileSet files(scratch / "out");
+    files.create("table").append("one\n");
+    files.create("other").append("x");
+    std::ofstream(files.shared_folder() / "part") << "two\n" << std::string(3'000'000, '3') << "\n";
+    std::ofstream(files.shared_folder() / "foreign") << "theirs";
+    files.extend("table").append_file(files.shared_folder() / "part");
+    fs::remove(files.shared_folder() / "part");
+    files.adopt("foreign");
+    EXPECT_EQ(files.bytes(), 4 + 1 + 4 + 3'000'001);
+    files.commit();
+  }
+  EXPECT_EQ(read_text(scratch / "out/table"), "one\ntwo\n" + std::string(3'000'000, '3') + "\n");
+  EXPECT_EQ(read_text(scratch / "out/foreign"), "theirs");
+  EXPECT_EQ(everything_in(scratch / "out"), (std::set<std::string>{"table", "other", "foreign"}));
+}
+
 }  // namespace
 }  // namespace bondstatic

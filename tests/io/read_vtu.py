@@ -1,4 +1,4 @@
-"""Reads a .vtu with VTK's own reader and prints all that is in it, a line an item:
+"""Reads a .vtu or .pvtu with VTK's own reader and prints all that is in it, a line an item:
 
     points COUNT / cells COUNT
     cell I TYPE POINT POINT ...
@@ -7,7 +7,7 @@
 import sys
 
 from vtkmodules.vtkCommonCore import vtkCommand, vtkDoubleArray
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
 
 
 def text(value):
@@ -24,7 +24,8 @@ def show(where, array):
 
 def main():
     failures = []
-    reader = vtkXMLUnstructuredGridReader()
+    pieces = sys.argv[1].endswith(".pvtu")
+    reader = vtkXMLPUnstructuredGridReader() if pieces else vtkXMLUnstructuredGridReader()
     if not reader.CanReadFile(sys.argv[1]):
         sys.exit("VTK says it cannot read this file")
     reader.AddObserver(vtkCommand.ErrorEvent, lambda *_: failures.append("error"))

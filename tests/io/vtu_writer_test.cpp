@@ -1,41 +1,18 @@
 #include "io/vtu_writer.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <map>
 #include <sstream>
 
 #include "io/file_set.hpp"
+#include "io/read_by_vtk.hpp"
 #include "io/scratch_folder.hpp"
 
 namespace bondstatic {
 namespace {
-
-/// What VTK's own reader (python3-vtk9) finds; lines of read_vtu.py by their first words.
-std::map<std::string, std::string> read_by_vtk(const std::string& file, const test::ScratchFolder& scratch) {
-  const std::string out = (scratch / "vtk.txt").string();
-  const std::string command = fmt::format("/usr/bin/python3 -B '{}/tests/io/read_vtu.py' '{}' > '{}' 2>&1",
-                                          BONDSTATIC_SOURCE_DIR, file, out);
-  const int status = std::system(command.c_str());
-  const std::string text = test::read_text(out);
-  if (status != 0) ADD_FAILURE() << "VTK (package python3-vtk9) could not read " << file << ":\n" << text;
-  std::map<std::string, std::string> found;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string key, word;
-    words >> key;
-    const int more = key == "array" ? 2 : key == "cell" ? 1 : 0;
-    for (int i = 0; i < more && words >> word; ++i) key += " " + word;
-    std::getline(words >> std::ws, found[key]);
-  }
-  return found;
-}
 
 std::vector<double> numbers(const std::string& text) {
   std::istringstream words(text);
@@ -68,7 +45,7 @@ TEST(VtuWriter, VtkReadsBackEveryBit) {
   write_vtu(files.create("model.vtu"), LineGrid{points, lines, point_data, line_data});
   files.commit();
 
-  const auto found = read_by_vtk((scratch / "out/model.vtu").string(), scratch);
+  const auto found = test::read_by_vtk((scratch / "out/model.vtu").string(), scratch);
   const auto at = [&](const std::string& key) {
     return found.count(key) ? found.at(key) : "(VTK did not find " + key + ")";
   };
@@ -95,7 +72,7 @@ TEST(VtuWriter, VtkReadsAGridWithoutLines) {
   FileSet files(scratch / "out");
   write_vtu(files.create("model.vtu"), LineGrid{points, {}, point_data, {}});
   files.commit();
-  const auto found = read_by_vtk((scratch / "out/model.vtu").string(), scratch);
+  const auto found = test::read_by_vtk((scratch / "out/model.vtu").string(), scratch);
   ASSERT_EQ(found.count("points"), 1u);
   EXPECT_EQ(found.at("points"), "1");
   EXPECT_EQ(found.at("cells"), "0");

@@ -66,7 +66,7 @@ struct LevelProblem {
 };
 
 template <class Scalar>
-multigrid::Rows<Scalar> product(const multigrid::Level<Scalar>& level, const multigrid::Rows<Scalar>& u) {
+multigrid::Rows<Scalar> product(const multigrid::Level<Scalar>& level, multigrid::Rows<Scalar> u) {
   auto result = multigrid::make_rows<Scalar>(level.bodies);
   multigrid::for_products(level, u, 1, [&](Index, Index first, Index last, const auto& y, auto&) {
     std::copy_n(y.begin(), last - first, result.begin() + first);

@@ -78,8 +78,9 @@ TEST_F(LevelTest, ClumpsDoNotSpanHingesBetweenSoundParts) {
   const BondNetwork network = bond_network(model, bond_properties(model));
   const Incidence incidence = link_incidence(network);
   std::vector<Spring> springs;
+  Halo halo;
   const FreeDofs dofs = number_free_dofs(std::vector<std::uint8_t>(200, 0x3f));
-  const Clumps clumps = form_clumps(finest_packing(network, incidence, dofs, springs), 1);
+  const Clumps clumps = form_clumps(finest_packing(network, incidence, dofs, springs, halo), 1);
   for (int p = 9; p + 1 < 200; p += 10)
     EXPECT_NE(clumps.of[std::size_t(p)], clumps.of[std::size_t(p) + 1]) << p;
 }
@@ -106,7 +107,8 @@ TEST_F(LevelTest, CoarserProductsAreGalerkins) {
     fine.r = product(fine, fine.e);
     // Above the finest level springs are links; there they are not, and are added by hand.
     std::vector<Spring> springs;
-    if (l == 0) finest_packing(problem.network, problem.incidence, problem.dofs, springs);
+    Halo halo;
+    if (l == 0) finest_packing(problem.network, problem.incidence, problem.dofs, springs, halo);
     for (const Spring& spring : springs) {
       const auto row = std::size_t(plan.numbering[0].row[std::size_t(spring.body)]);
       for (int i = 0; i < 6; ++i) fine.r[row].at[i] += spring.stiffness(i, i) * fine.e[row].at[i];

@@ -1,0 +1,104 @@
+#include "app/solve_on_ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/interrupt.hpp"
+#include "app/ranked.hpp"
+#include "app/report.hpp"
+#include "app/run_case.hpp"
+#include "app/status_line.hpp"
+#include "io/archive.hpp"
+#include "results/ranked_outputs.hpp"
+#include "results/ranked_results.hpp"
+#include "statics/partners.hpp"
+#include "system/bisection.hpp"
+
+namespace bondstatic {
+
+void describe(Archive& archive, StaticOptions& o) {
+  archive(o.solver, o.backend_options, o.threads, o.yield_cores, o.tolerance, o.unsupported, o.memory_limit);
+}
+
+namespace {
+
+const ArchiveFormat options_format{"solve options", 1};
+
+std::string to_bytes(const StaticOptions& options) {
+  Archive archive(options_format);
+  archive(options);
+  return archive.finish();
+}
+
+StaticOptions options_from(const std::string& bytes) {
+  Archive archive(options_format, bytes, "a message between ranks");
+  StaticOptions options;
+  archive(options);
+  return options;
+}
+
+// The model of rank 0 goes in pieces to all, and is no more.
+Piece deal_out(Model&& model, Ranks& ranks) {
+  std::vector<Vector3> positions;
+  for (const Particle& particle : model.particles) positions.push_back(particle.position);
+  const Cut cut(model, bisect(positions, ranks.size()), ranks.size());
+  const std::string bytes = ranks.scatter([&](int rank) { return to_bytes(cut.piece(rank)); });
+  model = {};
+  return piece_from(bytes);
+}
+
+}  // namespace
+
+ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const bool first = is_first(&ranks);
+  StatusLine status;
+  const auto show = [&](const std::string& what, double part = -1) {
+    if (first) status.show(what, part);
+  };
+  show("read");
+  Case given;
+  ModelFacts facts;
+  if (first) {
+    given = read_case(arguments, arguments.overrides);
+    facts = facts_of(given.model);
+    if (!arguments.folder.empty()) check_result_folder(facts, arguments.folder, ranks.size());
+  }
+  agree(&ranks);
+  StaticOptions options = options_from(ranks.broadcast(first ? to_bytes(given.solve) : ""));
+  prepare_for_ranks(options, &ranks);
+  options.progress = [&](const std::string& phase) { show(phase); };
+  agree(&ranks);
+  show("deal out");
+  const Piece piece = deal_out(std::move(given.model), ranks);
+  const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
+
+  const auto whole = [&] { return read_case(arguments, arguments.overrides).model; };
+  Answer result{solve_statics(Partners{piece, ranks, whole}, options), {}};
+  StaticSolution& solution = result.solution;
+  agree(&ranks);
+  result.outputs = evaluate_outputs_on_ranks(given.outputs, piece, solution, ranks);
+  const auto largest = largest_displacements_on_ranks(piece, solution, ranks);
+  agree(&ranks);
+  solution.report.phases.insert(solution.report.phases.begin(), {"read", reading});
+
+  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
+  std::vector<std::string> files;
+  if (!arguments.folder.empty()) {
+    show("write");
+    const DeferredInterrupts guard;
+    write_results_on_ranks(piece, facts, run, solution, result.outputs, arguments.folder, ranks,
+                           DeferredInterrupts::check, [&](double part) { show("write", part); });
+    agree(&ranks);
+    files = result_files(facts, ranks.size());
+  }
+  status.clear();
+  if (!first) return ExitCode::done;
+  fmt::print("{}", arguments.json ? summary_json(facts, run, solution, largest, result.outputs, files)
+                                  : report(given, facts, result, largest, arguments.folder, files));
+  return ExitCode::done;
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,45 @@
+// A model cut into pieces, one a rank of a run of several: each particle belongs to one of them, and each
+// rank gets the bonds that touch its own particles with copies of the particles at their far ends.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bondstatic/model.hpp"
+
+namespace bondstatic {
+
+struct Piece {
+  /// Own particles first, then the copies, each in the order of the whole model, as are bonds, supports and
+  /// loads. Supports and loads of copies are there, too.
+  Model model;
+  Index own = 0;                ///< particles 0 ... own-1 are this rank's
+  std::vector<Index> particle;  ///< of each particle: its position in the whole model
+  std::vector<Index> bond;      ///< of each bond, likewise
+  std::vector<int> owner;       ///< of each copy: the rank that it belongs to
+
+  bool has(Index local) const { return local < own; }
+  /// Of those who hold a bond, one owns it.
+  bool owns(const Bond& b) const { return has(b.a); }
+};
+
+/// Makes the pieces of a model one by one: the work for a piece grows with the piece.
+class Cut {
+ public:
+  /// `rank_of`: of each particle. The model must outlive this.
+  Cut(const Model& model, std::vector<int> rank_of, int ranks);
+  ~Cut();
+  Piece piece(int rank) const;
+
+ private:
+  struct Lists;
+  const Model& model_;
+  std::unique_ptr<const Lists> lists_;
+};
+
+/// A piece as bytes and back, bit for bit.
+std::string to_bytes(const Piece& piece);
+Piece piece_from(const std::string& bytes);
+
+}  // namespace bondstatic

@@ -1,0 +1,63 @@
+#include "io/archive.hpp"
+#include "model/piece.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+const ArchiveFormat format{"piece of a model", 1};
+
+}  // namespace
+
+void describe(Archive& archive, Particle& p) {
+  archive(p.id, p.position, p.radius, p.density);
+}
+
+void describe(Archive& archive, ContactPoint& c) {
+  archive(c.kind, c.value);
+}
+
+void describe(Archive& archive, std::map<std::size_t, std::vector<double>>& overrides) {
+  std::vector<std::size_t> parameters;
+  for (const auto& [parameter, column] : overrides) parameters.push_back(parameter);
+  archive(parameters);
+  for (const std::size_t parameter : parameters) archive(overrides[parameter]);
+}
+
+void describe(Archive& archive, BondBlock& b) {
+  archive(b.law, b.parameters, b.contact_point, b.overrides);
+}
+
+void describe(Archive& archive, Bond& b) {
+  archive(b.id, b.a, b.b, b.branch, b.block, b.in_block);
+}
+
+void describe(Archive& archive, Support& s) {
+  archive(s.particle, s.fixed, s.value, s.load_case);
+}
+
+void describe(Archive& archive, Load& l) {
+  archive(l.particle, l.force, l.load_case);
+}
+
+void describe(Archive& archive, Piece& piece) {
+  Model& m = piece.model;
+  archive(m.particles, m.blocks, m.bonds, m.supports, m.loads, m.load_cases);
+  archive(piece.own, piece.particle, piece.bond, piece.owner);
+}
+
+std::string to_bytes(const Piece& piece) {
+  Archive archive(format);
+  archive(piece);
+  return archive.finish();
+}
+
+Piece piece_from(const std::string& bytes) {
+  Archive archive(format, bytes, "a message between ranks");
+  Piece piece;
+  archive(piece);
+  archive.expect_end();
+  return piece;
+}
+
+}  // namespace bondstatic

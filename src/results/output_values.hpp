@@ -1,0 +1,29 @@
+// Steps on the way from an output to its value.
+#pragma once
+
+#include <vector>
+
+#include "bondstatic/model.hpp"
+#include "bondstatic/output.hpp"
+#include "bondstatic/state.hpp"
+
+namespace bondstatic {
+
+/// What an output is made from.
+enum class MadeOf { energy, work, particles, bonds, platens };
+
+/// Throws Error (invalid_input) where there is no such quantity.
+MadeOf made_of(const Output& output);
+
+/// Throws Error (invalid_input) where there is none of that name.
+const State& load_case_of(const Output& output, const std::vector<const State*>& states);
+
+/// One value of those at output.at, in its order. What was left out has no value and does not count; NaN
+/// where nothing is left. Throws Error (invalid_input) where the output asks for one value and has another
+/// number.
+double reduce(const Output& output, std::vector<double> values);
+
+/// `quantity` before it is scaled.
+OutputValue told(const Output& output, double quantity);
+
+}  // namespace bondstatic
