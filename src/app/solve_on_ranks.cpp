@@ -9,7 +9,7 @@
 #include "app/report.hpp"
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
-#include "io/archive.hpp"
+#include "io/message.hpp"
 #include "results/ranked_outputs.hpp"
 #include "results/ranked_results.hpp"
 #include "statics/partners.hpp"
@@ -23,29 +23,14 @@ void describe(Archive& archive, StaticOptions& o) {
 
 namespace {
 
-const ArchiveFormat options_format{"solve options", 1};
-
-std::string to_bytes(const StaticOptions& options) {
-  Archive archive(options_format);
-  archive(options);
-  return archive.finish();
-}
-
-StaticOptions options_from(const std::string& bytes) {
-  Archive archive(options_format, bytes, "a message between ranks");
-  StaticOptions options;
-  archive(options);
-  return options;
-}
-
 // The model of rank 0 goes in pieces to all, and is no more.
 Piece deal_out(Model&& model, Ranks& ranks) {
   std::vector<Vector3> positions;
   for (const Particle& particle : model.particles) positions.push_back(particle.position);
   const Cut cut(model, bisect(positions, ranks.size()), ranks.size());
-  const std::string bytes = ranks.scatter([&](int rank) { return to_bytes(cut.piece(rank)); });
+  const std::string bytes = ranks.scatter([&](int rank) { return packed(cut.piece(rank)); });
   model = {};
-  return piece_from(bytes);
+  return unpacked<Piece>(bytes);
 }
 
 }  // namespace
@@ -67,7 +52,7 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
     if (!arguments.folder.empty()) check_result_folder(facts, arguments.folder, ranks.size());
   }
   agree(&ranks);
-  StaticOptions options = options_from(ranks.broadcast(first ? to_bytes(given.solve) : ""));
+  StaticOptions options = unpacked<StaticOptions>(ranks.broadcast(packed(given.solve)));
   prepare_for_ranks(options, &ranks);
   options.progress = [&](const std::string& phase) { show(phase); };
   agree(&ranks);

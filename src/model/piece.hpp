@@ -3,12 +3,13 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "bondstatic/model.hpp"
 
 namespace bondstatic {
+
+class Archive;
 
 struct Piece {
   /// Own particles first, then the copies, each in the order of the whole model, as are bonds, supports and
@@ -38,8 +39,7 @@ class Cut {
   std::unique_ptr<const Lists> lists_;
 };
 
-/// A piece as bytes and back, bit for bit.
-std::string to_bytes(const Piece& piece);
-Piece piece_from(const std::string& bytes);
+/// Bit for bit, so that a piece can travel.
+void describe(Archive& archive, Piece& piece);
 
 }  // namespace bondstatic

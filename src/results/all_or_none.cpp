@@ -3,7 +3,7 @@
 #include <exception>
 #include <new>
 
-#include "results/message.hpp"
+#include "io/message.hpp"
 
 namespace bondstatic {
 

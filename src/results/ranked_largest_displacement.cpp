@@ -1,5 +1,5 @@
 #include "results/largest_place.hpp"
-#include "results/message.hpp"
+#include "io/message.hpp"
 #include "results/ranked_outputs.hpp"
 
 namespace bondstatic {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "results/inquiry.hpp"
-#include "results/message.hpp"
+#include "io/message.hpp"
 
 namespace bondstatic {
 

@@ -4,31 +4,12 @@
 #include <exception>
 
 #include "bondstatic/mechanism.hpp"
-#include "io/archive.hpp"
+#include "io/message.hpp"
 #include "mechanism/condensed.hpp"
 
 namespace bondstatic {
 
 namespace {
-
-const ArchiveFormat format{"condensed network", 1};
-constexpr const char* message = "a message between ranks";
-
-template <class T>
-std::string to_bytes(const T& data) {
-  Archive archive(format);
-  archive(data);
-  return archive.finish();
-}
-
-template <class T>
-T from_bytes(const std::string& bytes) {
-  Archive archive(format, bytes, message);
-  T data;
-  archive(data);
-  archive.expect_end();
-  return data;
-}
 
 // What rank 0 finds out from the condensed pieces of all.
 struct Verdict {
@@ -42,7 +23,7 @@ void describe(Archive& archive, Verdict& verdict) {
 
 Verdict judge(const std::vector<std::string>& pieces, Unsupported unsupported) {
   std::vector<Condensed> condensed;
-  for (const std::string& bytes : pieces) condensed.push_back(from_bytes<Condensed>(bytes));
+  for (const std::string& bytes : pieces) condensed.push_back(unpacked<Condensed>(bytes));
   const Assembled all = assemble_condensed(condensed);
   Verdict verdict;
   std::vector<bool> left_out(all.number.size(), false);
@@ -72,8 +53,8 @@ std::vector<std::vector<Index>> dropped_ids(const Piece& piece, const std::vecto
   for (std::size_t p = 0; p < std::size_t(piece.own); ++p)
     if (body_of[p] >= 0) mine[std::size_t(body_of[p])].push_back(piece.model.particles[p].id);
   std::vector<std::vector<Index>> ids;
-  for (const std::string& bytes : ranks.gather(to_bytes(mine))) {
-    const auto theirs = from_bytes<std::vector<std::vector<Index>>>(bytes);
+  for (const std::string& bytes : ranks.gather(packed(mine))) {
+    const auto theirs = unpacked<std::vector<std::vector<Index>>>(bytes);
     ids.resize(bodies);
     for (std::size_t b = 0; b < bodies; ++b) ids[b].insert(ids[b].end(), theirs[b].begin(), theirs[b].end());
   }
@@ -89,7 +70,7 @@ Held held_on_ranks(const Partners& partners, const BondNetwork& network, std::ve
   Ranks& ranks = partners.ranks;
   Held held;
   held.dofs = number_free_dofs(std::move(free));
-  const auto condensed = ranks.gather(to_bytes(condense(network, held.dofs, piece.model, piece.particle)));
+  const auto condensed = ranks.gather(packed(condense(network, held.dofs, piece.model, piece.particle)));
 
   std::exception_ptr failure;
   Verdict verdict;
@@ -101,7 +82,7 @@ Held held_on_ranks(const Partners& partners, const BondNetwork& network, std::ve
       failure = std::current_exception();
       verdict = {};
     }
-  verdict = from_bytes<Verdict>(ranks.broadcast(ranks.rank() == 0 ? to_bytes(verdict) : ""));
+  verdict = unpacked<Verdict>(ranks.broadcast(ranks.rank() == 0 ? packed(verdict) : ""));
   if (failure) std::rethrow_exception(failure);
   if (!verdict.sound) throw Error(ExitCode::mechanism, "rank 0 has found a mechanism");
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bondstatic/error.hpp"
+#include "io/message.hpp"
 #include "support/models.hpp"
 #include "system/bisection.hpp"
 
@@ -120,9 +121,9 @@ TEST_P(APieceOf, HasWhatActsOnItsParticlesInOrder) {
 
 TEST_P(APieceOf, SurvivesAsBytes) {
   for (int r = 0; r < ranks; ++r) {
-    const std::string bytes = to_bytes(cut.piece(r));
-    EXPECT_EQ(to_bytes(piece_from(bytes)), bytes);
-    EXPECT_EQ(piece_from(bytes).model.blocks[1].overrides, cut.piece(r).model.blocks[1].overrides);
+    const std::string bytes = packed(cut.piece(r));
+    EXPECT_EQ(packed(unpacked<Piece>(bytes)), bytes);
+    EXPECT_EQ(unpacked<Piece>(bytes).model.blocks[1].overrides, cut.piece(r).model.blocks[1].overrides);
   }
 }
 
@@ -140,9 +141,9 @@ TEST(Piece, OfARankWithoutParticlesIsEmpty) {
 TEST(Piece, DamagedBytesAreRefused) {
   std::mt19937_64 random(3);
   const Model whole = packing(random);
-  std::string bytes = to_bytes(Cut(whole, std::vector<int>(whole.particles.size(), 0), 1).piece(0));
+  std::string bytes = packed(Cut(whole, std::vector<int>(whole.particles.size(), 0), 1).piece(0));
   bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] + 1);
-  EXPECT_THROW(piece_from(bytes), Error);
+  EXPECT_THROW(unpacked<Piece>(bytes), Error);
 }
 
 }  // namespace

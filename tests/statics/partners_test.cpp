@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bondstatic/mechanism.hpp"
+#include "io/message.hpp"
 #include "support/models.hpp"
 #include "support/thread_ranks.hpp"
 #include "system/bisection.hpp"
@@ -33,7 +34,7 @@ Together solve_on(int ranks, const Model& model, const std::vector<int>& rank_of
   all.bonds.resize(model.bonds.size());
   const Cut cut(model, rank_of, ranks);
   run_ranks(ranks, [&](Ranks& mine) {
-    const Piece piece = piece_from(to_bytes(cut.piece(mine.rank())));
+    const Piece piece = unpacked<Piece>(packed(cut.piece(mine.rank())));
     StaticSolution solution = solve_statics(Partners{piece, mine, [&] { return model; }}, options);
     const State& state = solution.cases.front();
     for (std::size_t p = 0; p < std::size_t(piece.own); ++p) {

@@ -3,12 +3,6 @@
 
 namespace bondstatic {
 
-namespace {
-
-const ArchiveFormat format{"piece of a model", 1};
-
-}  // namespace
-
 void describe(Archive& archive, Particle& p) {
   archive(p.id, p.position, p.radius, p.density);
 }
@@ -44,20 +38,6 @@ void describe(Archive& archive, Piece& piece) {
   Model& m = piece.model;
   archive(m.particles, m.blocks, m.bonds, m.supports, m.loads, m.load_cases);
   archive(piece.own, piece.particle, piece.bond, piece.owner);
-}
-
-std::string to_bytes(const Piece& piece) {
-  Archive archive(format);
-  archive(piece);
-  return archive.finish();
-}
-
-Piece piece_from(const std::string& bytes) {
-  Archive archive(format, bytes, "a message between ranks");
-  Piece piece;
-  archive(piece);
-  archive.expect_end();
-  return piece;
 }
 
 }  // namespace bondstatic
