@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/million.hpp"
+#include "bench/ranks.hpp"
 #include "bench/residual.hpp"
 #include "bench/solvers.hpp"
 #include "bench/tables.hpp"
@@ -22,6 +23,8 @@ constexpr const char* usage =
     "    run residual [--packing NAME]... [--particles N]\n"
     "                                         multigrid and PETSc's GAMG to the same true residual\n"
     "    run million [--particles N] [--keep] the program on a million particles, from case file to results\n"
+    "    run ranks [--particles N] [--ranks N]... [--solver NAME]...\n"
+    "                                         the program on MPI ranks against itself in one process\n"
     "    run busy                             of the first tables, solves beside busy processes\n";
 
 // What is left of the command line.
@@ -100,10 +103,25 @@ void run_million(Arguments& arguments) {
   print_million(asked);
 }
 
+void run_ranks(Arguments& arguments) {
+  OnRanks asked;
+  Index number = 0;
+  for (std::string name; !arguments.empty();) {
+    if (arguments.take("--ranks", number))
+      asked.ranks.push_back(int(number));
+    else if (arguments.take("--solver", name))
+      asked.solvers.push_back(name);
+    else if (!arguments.take("--particles", asked.particles))
+      arguments.refuse();
+  }
+  compare_ranks(asked);
+}
+
 void run(Arguments& arguments) {
   if (arguments.take("solvers")) return run_solvers(arguments);
   if (arguments.take("residual")) return run_residual(arguments);
   if (arguments.take("million")) return run_million(arguments);
+  if (arguments.take("ranks")) return run_ranks(arguments);
   const bool busy_only = arguments.take("busy");
   if (!arguments.empty()) arguments.refuse();
   std::puts("| what | figure |\n|---|---|");

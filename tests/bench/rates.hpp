@@ -10,4 +10,8 @@ double dgemm_rate(int threads);
 /// Bytes a second of a[i] = b[i] + s c[i] over arrays far larger than the caches, best of a few.
 double triad_rate(int threads);
 
+/// The same of so many processes at once, each with arrays of its own: what all of them move in the same
+/// second.
+double triad_rate_of_processes(int processes);
+
 }  // namespace bondstatic::bench
