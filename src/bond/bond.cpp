@@ -15,9 +15,19 @@ Matrix6x12 relative_motion_matrix(const Link& link) {
 }
 
 Matrix6 constitutive_matrix(const SectionStiffness& stiffness, const Vector3& axis) {
+  // Column by column what resultants() answers to a unit of relative motion, bit for bit.
   Matrix6 c;
-  for (int column = 0; column < 6; ++column)
-    c.col(column) = resultants<double>(stiffness, axis, Vector6::Unit(column));
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      const double along = axis[j] * axis[i], across = (i == j ? 1 : 0) - along;
+      c(i, j) = stiffness.kn * axis[j] * axis[i] + stiffness.ks * across;
+      c(i + 3, j + 3) = stiffness.kt * axis[j] * axis[i] + stiffness.kb * across;
+    }
+  Matrix3 turn;  // coupling e x
+  turn << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
+  turn *= stiffness.coupling;
+  c.topRightCorner<3, 3>() = -turn;
+  c.bottomLeftCorner<3, 3>() = turn;
   return c;
 }
 

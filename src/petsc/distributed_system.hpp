@@ -43,6 +43,7 @@ class DistributedSystem {
   double matrix_bytes() const;
   /// Sum over the ranks of this machine.
   double on_this_machine(double bytes) const;
+  int ranks() const { return ranks_; }
 
  private:
   void take_rows_of_copies(const BondNetwork& network, const FreeDofs& dofs);

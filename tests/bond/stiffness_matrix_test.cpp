@@ -85,6 +85,18 @@ Matrix12 printed_bond() {
   return stiffness_matrix(link(p, {l, 0, 0}));
 }
 
+TEST(StiffnessMatrix, ConstitutiveMatrixAnswersAsResultantsDo) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vector3 axis = Vector3(number(random), number(random), number(random)).normalized();
+    const SectionStiffness c{1 + number(random), 1e6 * (1 + number(random)), 1 + number(random),
+                             1e-6 * (1 + number(random)), number(random)};
+    const Matrix6 matrix = constitutive_matrix(c, axis);
+    for (int j = 0; j < 6; ++j) EXPECT_EQ(matrix.col(j), resultants<double>(c, axis, Vector6::Unit(j)));
+  }
+}
+
 TEST(StiffnessMatrix, HasTheEntriesOfTheReferenceBond) {
   const Matrix12 k = printed_bond();
   const auto expect = [&](int i, int j, double value) {
