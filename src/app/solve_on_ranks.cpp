@@ -10,6 +10,7 @@
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
 #include "io/message.hpp"
+#include "model/boundary.hpp"
 #include "results/ranked_outputs.hpp"
 #include "results/ranked_results.hpp"
 #include "statics/partners.hpp"
@@ -22,6 +23,11 @@ void describe(Archive& archive, StaticOptions& o) {
 }
 
 namespace {
+
+// Supports of one particle that contradict each other would show on one rank alone.
+void refuse_contradictions(const Model& model) {
+  for (std::size_t c = 0; c < model.load_cases.size(); ++c) boundary_of(model, Index(c));
+}
 
 // The model of rank 0 goes in pieces to all, and is no more.
 Piece deal_out(Model&& model, Ranks& ranks) {
@@ -50,6 +56,7 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
     given = read_case(arguments, arguments.overrides);
     facts = facts_of(given.model);
     if (!arguments.folder.empty()) check_result_folder(facts, arguments.folder, ranks.size());
+    refuse_contradictions(given.model);
   }
   agree(&ranks);
   StaticOptions options = unpacked<StaticOptions>(ranks.broadcast(packed(given.solve)));
@@ -65,6 +72,7 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
   StaticSolution& solution = result.solution;
   agree(&ranks);
   result.outputs = evaluate_outputs_on_ranks(given.outputs, piece, solution, ranks);
+  agree(&ranks);
   const auto largest = largest_displacements_on_ranks(piece, solution, ranks);
   agree(&ranks);
   solution.report.phases.insert(solution.report.phases.begin(), {"read", reading});

@@ -54,6 +54,16 @@ TEST(SolverChoice, ADoubtfulPredictionMustPromiseMore) {
   EXPECT_EQ(choose_solver(pair, 1e8).solver, "doubtful");
 }
 
+TEST(Cost, CountsBeyondThirtyTwoBits) {
+  AnalysisReport report;
+  report.factor_entries = Index(1) << 34;
+  report.matrix_entries = Index(1) << 33;
+  EXPECT_EQ(direct_cost(report, {0, 1, 1, 0}, 1).seconds, 0x1p34 + 0x1p33);
+  const Cost cost = linear_cost(Index(1) << 32, Index(1) << 34, {1, 2, 3, 4, 0}, 1);
+  EXPECT_EQ(cost.seconds, 0x1p32 + 2 * 0x1p34);
+  EXPECT_EQ(cost.bytes, 3 * 0x1p32 + 4 * 0x1p34);
+}
+
 TEST(SolverChoice, NoCandidateIsAnError) {
   EXPECT_THROW(choose_solver({}, 1e9), std::invalid_argument);
 }

@@ -151,6 +151,18 @@ std::vector<std::string> names() {
   return list;
 }
 
+TEST(LinearSolver, MultigridSaysWhereItsRowsEnd) {
+  BondNetwork network;
+  network.bodies = Index(1) << 32;
+  try {
+    make_solver("multigrid", 1)->analyse(network, {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::invalid_input);
+    EXPECT_NE(std::string(error.what()).find("4294967296"), std::string::npos) << error.what();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(LinearSolver, Backend, ::testing::ValuesIn(names()), [](const auto& chosen) {
   std::string name = chosen.param;
   std::replace(name.begin(), name.end(), '-', '_');
