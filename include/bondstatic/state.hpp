@@ -21,6 +21,16 @@ struct BondResult {
   double energy = 0;  ///< delta^T C delta / 2
 };
 
+/// Of a bond between particles that are left out: NaN throughout.
+inline BondResult left_out_bond() {
+  BondResult none;
+  none.force.setConstant(not_given);
+  for (double* value : {&none.normal_force, &none.shear_force, &none.twisting_moment, &none.bending_moment,
+                        &none.sigma, &none.tau, &none.energy})
+    *value = not_given;
+  return none;
+}
+
 struct State {
   std::string name;                   ///< of the load case
   std::vector<Vector6> displacement;  ///< by particle; NaN where left out

@@ -5,13 +5,9 @@
 #pragma once
 
 #include <array>
-#include <cstring>
-#include <span>
-#include <type_traits>
 #include <vector>
 
-#include "bondstatic/network.hpp"
-#include "system/ranks.hpp"
+#include "system/refresh.hpp"
 
 namespace bondstatic::multigrid {
 
@@ -20,26 +16,10 @@ struct Halo {
   std::vector<Neighbour> neighbours;  ///< bodies of a packing, or rows of a level
 };
 
-/// Overwrites the values of copies by their owners'. Called by all ranks.
+/// Copies take their owners' values. Called by all ranks.
 template <class T>
 void refresh(const Halo& halo, std::vector<T>& values) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  if (!halo.ranks) return;
-  const std::size_t count = halo.neighbours.size();
-  std::vector<std::vector<T>> sent(count), taken(count);
-  std::vector<Ranks::Parcel> out, in;
-  for (std::size_t n = 0; n < count; ++n) {
-    const Neighbour& neighbour = halo.neighbours[n];
-    for (const Index i : neighbour.lent) sent[n].push_back(values[std::size_t(i)]);
-    taken[n].resize(neighbour.borrowed.size());
-    out.push_back({neighbour.rank, std::as_writable_bytes(std::span(sent[n]))});
-    in.push_back({neighbour.rank, std::as_writable_bytes(std::span(taken[n]))});
-  }
-  halo.ranks->exchange(out, in);
-  for (std::size_t n = 0; n < count; ++n) {
-    const auto& borrowed = halo.neighbours[n].borrowed;
-    for (std::size_t i = 0; i < borrowed.size(); ++i) values[std::size_t(borrowed[i])] = taken[n][i];
-  }
+  if (halo.ranks) bondstatic::refresh(*halo.ranks, halo.neighbours, values);
 }
 
 /// Added up over the ranks in their order, the same on all.

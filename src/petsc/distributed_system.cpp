@@ -6,11 +6,12 @@
 #include <array>
 
 #include "bondstatic/error.hpp"
-#include "petsc/halo.hpp"
 #include "petsc/mpi_lifetime.hpp"
 #include "petsc/session.hpp"
 #include "system/block_row.hpp"
 #include "system/body_positions.hpp"
+#include "system/refresh.hpp"
+#include "system/unknowns.hpp"
 
 namespace bondstatic {
 
@@ -35,7 +36,7 @@ DistributedSystem::DistributedSystem(const BondNetwork& network, const FreeDofs&
     : incidence_(link_incidence(network)) {
   check_mpi(MPI_Comm_rank(PETSC_COMM_WORLD, &rank_));
   check_mpi(MPI_Comm_size(PETSC_COMM_WORLD, &ranks_));
-  if (ranks_ > 1 && !network.share)
+  if (ranks_ > 1 && !ranks_of(network))
     throw Error(
         ExitCode::invalid_input,
         fmt::format("one of {} ranks was given a whole network to solve\n    cure: give each rank its "
@@ -50,12 +51,11 @@ DistributedSystem::DistributedSystem(const BondNetwork& network, const FreeDofs&
     blocks_ += count.all;
   }
   check_index_range(rows_, reduced(blocks_, MPI_MAX), PETSC_MAX_INT);
-  if (network.share) take_rows_of_copies(network, dofs);
+  if (Ranks* const ranks = ranks_of(network)) take_rows_of_copies(*ranks, network, dofs);
 }
 
-void DistributedSystem::take_rows_of_copies(const BondNetwork& network, const FreeDofs& dofs) {
-  fill_copies(
-      *network.share, [](Index body) { return body; }, layout_.row.data(), PETSC_COMM_WORLD);
+void DistributedSystem::take_rows_of_copies(Ranks& ranks, const BondNetwork& network, const FreeDofs& dofs) {
+  refresh(ranks, network.share->neighbours, layout_.row);
   for (auto p = std::size_t(network.own()); p < layout_.row.size(); ++p)
     if ((layout_.row[p] >= 0) != (dofs.first[p + 1] > dofs.first[p]))
       throw Error(ExitCode::internal,
@@ -174,17 +174,14 @@ void DistributedSystem::gather(const BondNetwork& network, const FreeDofs& dofs,
                                Eigen::Ref<Eigen::VectorXd> unknowns) const {
   const PetscScalar* values = nullptr;
   check_petsc(VecGetArrayRead(vector, &values));
+  std::vector<std::array<double, block>> motion(std::size_t(network.bodies));
   const PetscScalar* next = values;
-  for (const Index body : layout_.body) {
-    Index unknown = dofs.first[std::size_t(body)];
-    for (int i = 0; i < block; ++i, ++next)
-      if (dofs.is_free(body, i)) unknowns[unknown++] = *next;
-  }
+  for (const Index body : layout_.body)
+    for (double& value : motion[std::size_t(body)]) value = *next++;
   check_petsc(VecRestoreArrayRead(vector, &values));
-  if (network.share)
-    fill_copies(
-        *network.share, [&](Index body) { return dofs.first[std::size_t(body)]; }, unknowns.data(),
-        PETSC_COMM_WORLD);
+  if (Ranks* const ranks = ranks_of(network)) refresh(*ranks, network.share->neighbours, motion);
+  for_each_unknown(
+      dofs, [&](std::size_t p, int i, Index unknown) { unknowns[unknown] = motion[p][std::size_t(i)]; });
 }
 
 AnalysisReport DistributedSystem::report(const BondNetwork& network, const FreeDofs& dofs) const {

@@ -46,7 +46,7 @@ class DistributedSystem {
   int ranks() const { return ranks_; }
 
  private:
-  void take_rows_of_copies(const BondNetwork& network, const FreeDofs& dofs);
+  void take_rows_of_copies(Ranks& ranks, const BondNetwork& network, const FreeDofs& dofs);
   void allocate();
 
   int rank_ = 0, ranks_ = 1;

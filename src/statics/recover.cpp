@@ -42,17 +42,6 @@ BondResult bond_result(const Carried& carried, const Extended3& axis, double rad
   return result;
 }
 
-BondResult no_result() {
-  return {Vector6::Constant(not_given),
-          not_given,
-          not_given,
-          not_given,
-          not_given,
-          not_given,
-          not_given,
-          not_given};
-}
-
 /// What one bond carries; adds nothing up, so that many can be formed at once. Returns its energy.
 Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
                const std::vector<Vector6>& displacement, BondResult& found) {
@@ -101,7 +90,7 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
       BondResult& found = result.bonds[std::size_t(k)];
       Extended& own = energies[std::size_t(k - first)];
       if (left_out[std::size_t(link.a)])
-        found = no_result(), own = 0.0;
+        found = left_out_bond(), own = 0.0;
       else
         own = carry(link, properties[std::size_t(k)], motion, result.displacement, found);
     }

@@ -6,12 +6,12 @@
 
 #include "bench/in_child.hpp"
 #include "bench/naive.hpp"
-#include "bench/peak_memory.hpp"
 #include "bench/rates.hpp"
 #include "bench/timing.hpp"
 #include "bondstatic/error.hpp"
 #include "bondstatic/relaxation.hpp"
 #include "bondstatic/statics.hpp"
+#include "support/peak_memory.hpp"
 
 namespace bondstatic::bench {
 
@@ -28,7 +28,7 @@ double phase(const StaticReport& report, std::initializer_list<const char*> name
 }
 
 void solve_by_backend(const Model& model, const std::string& solver, int threads, Measurement& result) {
-  PeakMemory peak;
+  test::PeakMemory peak;
   StaticOptions options;
   options.solver = solver;
   options.threads = threads;
@@ -62,7 +62,7 @@ void solve_by_backend(const Model& model, const std::string& solver, int threads
 }
 
 void solve_otherwise(const Model& model, const std::string& solver, int threads, Measurement& result) {
-  PeakMemory peak;
+  test::PeakMemory peak;
   peak.begin();
   result.seconds = seconds_of([&] {
     if (solver == "naive") {

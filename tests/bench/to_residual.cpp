@@ -6,12 +6,12 @@
 #include <type_traits>
 
 #include "bench/in_child.hpp"
-#include "bench/peak_memory.hpp"
 #include "bench/timing.hpp"
 #include "bondstatic/linear_solver.hpp"
 #include "bondstatic/mechanism.hpp"
 #include "model/boundary.hpp"
 #include "multigrid/flexible_cg.hpp"
+#include "support/peak_memory.hpp"
 #include "system/unknowns.hpp"
 
 namespace bondstatic::bench {
@@ -115,7 +115,7 @@ ToResidual solve_here(const Family& family, Index particles, const std::string& 
   result.particles = Index(model.particles.size());
   result.bonds = Index(model.bonds.size());
   result.unknowns = dofs.unknowns();
-  PeakMemory peak;
+  test::PeakMemory peak;
   peak.begin();
   result.wall = seconds_of([&] {
     result.set_up = processor_seconds_of([&] { solver->set_up(); });

@@ -50,15 +50,7 @@ inline Whole whole_answer(std::vector<std::string> load_cases) {
   first.displacement[5].setConstant(not_given);
   first.reaction[5].setConstant(not_given);
   for (std::size_t k = 0; k < first.bonds.size(); ++k)
-    if (whole.model.bonds[k].a == 5 || whole.model.bonds[k].b == 5)
-      first.bonds[k] = {Vector6::Constant(not_given),
-                        not_given,
-                        not_given,
-                        not_given,
-                        not_given,
-                        not_given,
-                        not_given,
-                        not_given};
+    if (whole.model.bonds[k].a == 5 || whole.model.bonds[k].b == 5) first.bonds[k] = left_out_bond();
   whole.solution.report.solver = "by hand";
   whole.solution.report.dropped = {{whole.model.particles[5].id}};
   return whole;

@@ -1,6 +1,5 @@
 // The memory that the analysis predicts against the peak of the solve, in a process of its own.
 #include <gtest/gtest.h>
-#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,34 +9,25 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/statics.hpp"
 #include "support/models.hpp"
+#include "support/peak_memory.hpp"
 
 namespace bondstatic::test {
 namespace {
-
-double status_bytes(const std::string& name) {
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind(name + ":", 0) == 0) return 1024 * std::strtod(line.c_str() + name.size() + 1, nullptr);
-  return 0;
-}
 
 struct Bytes {
   double predicted, peak;
 };
 
 void measure(const Model& model, Bytes& bytes) {
-  double stood = 0;
+  PeakMemory peak;
   StaticOptions options;
   options.solver = "cholmod";
   options.threads = 1;
   options.progress = [&](const std::string& phase) {
-    if (phase != "analysis") return;
-    malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5;  // the peak counts from here
-    stood = status_bytes("VmRSS");
+    if (phase == "analysis") peak.begin();
   };
   bytes.predicted = solve_statics(model, options).report.analysis.predicted_bytes;
-  bytes.peak = status_bytes("VmHWM") - stood;
+  bytes.peak = peak.bytes();
 }
 
 Model packing(int edge) {

@@ -1,4 +1,4 @@
-#include "bench/peak_memory.hpp"
+#include "support/peak_memory.hpp"
 
 #include <malloc.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace bondstatic::bench {
+namespace bondstatic::test {
 
 namespace {
 
@@ -30,4 +30,4 @@ double PeakMemory::bytes() const {
   return std::max(0.0, status_bytes("VmHWM") - stood_);
 }
 
-}  // namespace bondstatic::bench
+}  // namespace bondstatic::test

@@ -1,7 +1,7 @@
 // Peak of the resident size from a moment on.
 #pragma once
 
-namespace bondstatic::bench {
+namespace bondstatic::test {
 
 class PeakMemory {
  public:
@@ -12,4 +12,4 @@ class PeakMemory {
   double stood_ = 0;
 };
 
-}  // namespace bondstatic::bench
+}  // namespace bondstatic::test
