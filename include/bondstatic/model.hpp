@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,15 @@ struct Load {
   Index load_case = every_case;
 };
 
+/// A cell that repeats itself: edge i is column i of `edges` (any three independent vectors: orthogonal or
+/// triclinic), and the model goes on along those that are periodic. Bonds that leave the cell have the image
+/// shift in their branch vector; particles may lie outside of it.
+struct Cell {
+  Vector3 origin = Vector3::Zero();
+  Matrix3 edges = Matrix3::Identity();
+  std::array<bool, 3> periodic{true, true, true};
+};
+
 struct Model {
   std::vector<Particle> particles;
   std::vector<BondBlock> blocks;
@@ -84,6 +94,7 @@ struct Model {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::vector<std::string> load_cases{""};  ///< one nameless case where the user names none
+  std::optional<Cell> cell;
 };
 
 }  // namespace bondstatic

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/commands.hpp"
+#include "app/parsed_commands.hpp"
 #include "app/ranked.hpp"
 #include "io/nearest_name.hpp"
 
@@ -52,22 +52,6 @@ std::vector<std::string> option_names(const CLI::App& command) {
   misused(error.what(), command);
 }
 
-void add_solve_options(CLI::App& command, SolveArguments& arguments) {
-  command.add_option("CASE", arguments.file, "case file (TOML)")->required();
-  command.add_option("--out", arguments.folder, "write the results to this folder")->type_name("DIR");
-  // One value an option: otherwise --set would swallow the case file behind it.
-  command.add_option("--set", arguments.overrides, "override a key of the case: bonds.0.young=70e9")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  command.add_option("--solver", arguments.solver, "one of those that `bondstatic solvers` lists")
-      ->type_name("NAME");
-  command
-      .add_option("--threads", arguments.threads,
-                  "threads for everything, fewer where the machine is busy (default: the cores at hand)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-}
-
 /// What follows "--" is for the solver's own library. CLI11 would refuse it for a subcommand, so that it is
 /// taken off the end here.
 std::vector<std::string> take_backend_options(int& argc, char** argv) {
@@ -87,57 +71,16 @@ ExitCode run_command_line(int argc, char** argv, Ranks* ranks) {
   app.footer("Options of the solver's own library (PETSc) stand at the end, behind --.");
   app.set_version_flag("--version", version_text);
 
-  SolveArguments solve_arguments;
-  CLI::App* solve_command = app.add_subcommand("solve", "solve a case");
-  add_solve_options(*solve_command, solve_arguments);
-  solve_command->add_flag("--json", solve_arguments.json, "print the answer as JSON");
+  std::vector<ParsedCommand> commands;
+  for (const auto add : {add_case_commands, add_exchange_commands, add_listing_commands})
+    for (ParsedCommand& command : add(app)) commands.push_back(std::move(command));
+  const std::vector<std::string> names = command_names(app);
 
-  SweepArguments sweep_arguments;
-  CLI::App* sweep_command =
-      app.add_subcommand("sweep", "solve a case over a grid of values: one table (CSV)");
-  add_solve_options(*sweep_command, sweep_arguments.solve);
-  sweep_command
-      ->add_option(
-          "--vary", sweep_arguments.vary,
-          "a key and its values, bonds.0.young=50e9,70e9; several span a grid; keys that change together: "
-          "K1:K2=a1:b1,a2:b2")
-      ->type_name("KEY=v1,v2,...")
-      ->allow_extra_args(false)
-      ->required();
-
-  RelaxArguments relax_arguments;
-  CLI::App* relax_command =
-      app.add_subcommand("relax", "run the case through time to its state of rest (explicit DEM)");
-  add_solve_options(*relax_command, relax_arguments.solve);
-  relax_command->add_flag("--json", relax_arguments.solve.json, "print the answer as JSON");
-  relax_command->add_flag("--resume", relax_arguments.resume,
-                          "go on from the checkpoint in DIR where there is one");
-  relax_command
-      ->add_option("--checkpoint-every", relax_arguments.checkpoint_every,
-                   "write a checkpoint into DIR so often (default: 60)")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
-
-  SolveArguments check_arguments;
-  CLI::App* check_command =
-      app.add_subcommand("check", "static answer and explicit run of a case: a certificate that they agree");
-  add_solve_options(*check_command, check_arguments);
-  check_command->add_flag("--json", check_arguments.json, "print the certificate as JSON");
-
-  std::string law_name;
-  bool as_json = false;
-  CLI::App* laws_command = app.add_subcommand("laws", "bond laws: parameters, formulas, sources");
-  laws_command->add_option("NAME", law_name, "only this law");
-  laws_command->add_flag("--json", as_json, "print as JSON");
-
-  CLI::App* solvers_command = app.add_subcommand("solvers", "linear solvers of this build, best first");
-  solvers_command->add_flag("--json", as_json, "print as JSON");
-
-  if (argc < 2) misused("a command is missing: solve, relax, check, sweep, laws or solvers", app);
+  const std::string missing = fmt::format("a command is missing: {}", name_list(names));
+  if (argc < 2) misused(missing, app);
   const std::string first = argv[1];
-  const std::vector<std::string> commands = command_names(app);
-  if (!first.starts_with('-') && std::find(commands.begin(), commands.end(), first) == commands.end())
-    misused(with_suggestion(fmt::format("unknown command \"{}\"", first), first, commands), app);
+  if (!first.starts_with('-') && std::find(names.begin(), names.end(), first) == names.end())
+    misused(with_suggestion(fmt::format("unknown command \"{}\"", first), first, names), app);
 
   try {
     app.parse(argc, argv);
@@ -147,20 +90,14 @@ ExitCode run_command_line(int argc, char** argv, Ranks* ranks) {
   } catch (const CLI::ParseError& error) {
     explain(app, error);
   }
-  for (SolveArguments* arguments :
-       {&solve_arguments, &sweep_arguments.solve, &relax_arguments.solve, &check_arguments})
-    arguments->backend_options = backend_options;
-  if (!backend_options.empty() && (*laws_command || *solvers_command))
-    misused(fmt::format("unexpected argument \"{}\"", backend_options.front()), app);
-  if (*solve_command) return solve(solve_arguments, ranks);
-  for (const CLI::App* command : {sweep_command, relax_command, check_command})
-    if (*command) refuse_ranks(ranks, command->get_name());
-  if (*sweep_command) return sweep(sweep_arguments);
-  if (*relax_command) return relax(relax_arguments);
-  if (*check_command) return check(check_arguments);
-  if (*laws_command) return laws(law_name, as_json);
-  if (*solvers_command) return solvers(as_json);
-  misused("a command is missing: solve, relax, check, sweep, laws or solvers", app);
+  for (const ParsedCommand& command : commands) {
+    if (!*command.parser) continue;
+    if (!backend_options.empty() && !command.solves)
+      misused(fmt::format("unexpected argument \"{}\"", backend_options.front()), *command.parser);
+    if (!command.on_ranks) refuse_ranks(ranks, command.parser->get_name());
+    return command.run(backend_options, ranks);
+  }
+  misused(missing, app);
 }
 
 }  // namespace bondstatic

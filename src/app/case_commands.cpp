@@ -1,0 +1,98 @@
+#include <memory>
+
+#include "app/parsed_commands.hpp"
+
+namespace bondstatic {
+
+void add_solve_options(CLI::App& command, SolveArguments& arguments) {
+  command.add_option("CASE", arguments.file, "case file (TOML)")->required();
+  command.add_option("--out", arguments.folder, "write the results to this folder")->type_name("DIR");
+  // One value an option: otherwise --set would swallow the case file behind it.
+  command.add_option("--set", arguments.overrides, "override a key of the case: bonds.0.young=70e9")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--solver", arguments.solver, "one of those that `bondstatic solvers` lists")
+      ->type_name("NAME");
+  command
+      .add_option("--threads", arguments.threads,
+                  "threads for everything, fewer where the machine is busy (default: the cores at hand)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+namespace {
+
+ParsedCommand solve_command(CLI::App& app) {
+  CLI::App* parser = app.add_subcommand("solve", "solve a case");
+  const auto arguments = std::make_shared<SolveArguments>();
+  add_solve_options(*parser, *arguments);
+  parser->add_flag("--json", arguments->json, "print the answer as JSON");
+  return {parser,
+          [arguments](const std::vector<std::string>& backend_options, Ranks* ranks) {
+            arguments->backend_options = backend_options;
+            return solve(*arguments, ranks);
+          },
+          true, true};
+}
+
+ParsedCommand sweep_command(CLI::App& app) {
+  CLI::App* parser = app.add_subcommand("sweep", "solve a case over a grid of values: one table (CSV)");
+  const auto arguments = std::make_shared<SweepArguments>();
+  add_solve_options(*parser, arguments->solve);
+  parser
+      ->add_option(
+          "--vary", arguments->vary,
+          "a key and its values, bonds.0.young=50e9,70e9; several span a grid; keys that change together: "
+          "K1:K2=a1:b1,a2:b2")
+      ->type_name("KEY=v1,v2,...")
+      ->allow_extra_args(false)
+      ->required();
+  return {parser,
+          [arguments](const std::vector<std::string>& backend_options, Ranks*) {
+            arguments->solve.backend_options = backend_options;
+            return sweep(*arguments);
+          },
+          true};
+}
+
+ParsedCommand relax_command(CLI::App& app) {
+  CLI::App* parser =
+      app.add_subcommand("relax", "run the case through time to its state of rest (explicit DEM)");
+  const auto arguments = std::make_shared<RelaxArguments>();
+  add_solve_options(*parser, arguments->solve);
+  parser->add_flag("--json", arguments->solve.json, "print the answer as JSON");
+  parser->add_flag("--resume", arguments->resume, "go on from the checkpoint in DIR where there is one");
+  parser
+      ->add_option("--checkpoint-every", arguments->checkpoint_every,
+                   "write a checkpoint into DIR so often (default: 60)")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
+  return {parser,
+          [arguments](const std::vector<std::string>& backend_options, Ranks*) {
+            arguments->solve.backend_options = backend_options;
+            return relax(*arguments);
+          },
+          true};
+}
+
+ParsedCommand check_command(CLI::App& app) {
+  CLI::App* parser =
+      app.add_subcommand("check", "static answer and explicit run of a case: a certificate that they agree");
+  const auto arguments = std::make_shared<SolveArguments>();
+  add_solve_options(*parser, *arguments);
+  parser->add_flag("--json", arguments->json, "print the certificate as JSON");
+  return {parser,
+          [arguments](const std::vector<std::string>& backend_options, Ranks*) {
+            arguments->backend_options = backend_options;
+            return check(*arguments);
+          },
+          true};
+}
+
+}  // namespace
+
+std::vector<ParsedCommand> add_case_commands(CLI::App& app) {
+  return {solve_command(app), sweep_command(app), relax_command(app), check_command(app)};
+}
+
+}  // namespace bondstatic
