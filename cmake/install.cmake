@@ -14,3 +14,6 @@ install(FILES ${PROJECT_BINARY_DIR}/bondstaticConfig.cmake ${PROJECT_BINARY_DIR}
         DESTINATION ${package_dir})
 install(FILES cmake/FindCHOLMOD.cmake cmake/FindQD.cmake DESTINATION ${package_dir})
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES src/formats/exporters/README.md src/formats/exporters/yade.py src/formats/exporters/pfc.py
+              src/formats/exporters/pfc.fis src/formats/exporters/liggghts.in
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bondstatic/exporters)

@@ -6,7 +6,8 @@ solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev lib
                  nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev)
 # PETSc brings MPI and about 90 packages: only for those who ask for it, and for the tests.
 petsc_packages=(petsc-dev pkgconf)
-test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox)
+# The last three are other codes, whose files are read: yade brings about 100 packages.
+test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox lammps liggghts yade)
 
 say() { echo "bondstatic: $*" >&2; }
 

@@ -42,12 +42,15 @@ struct ContactPoint {
 
 /// What the bonds of one [[bonds]] block share. `parameters` follow the order of the law's parameter list;
 /// NaN stands for "not given". `overrides` replace a parameter for single bonds (columns of a bond file):
-/// overrides.at(p)[k] belongs to the k-th bond of the block, NaN where the file leaves it empty.
+/// overrides.at(p)[k] belongs to the k-th bond of the block, NaN where the file leaves it empty. `fractions`
+/// likewise: the contact point of single bonds as a part of the branch from a; empty where no bond has its
+/// own.
 struct BondBlock {
   std::string law;
   std::vector<double> parameters;
   ContactPoint contact_point;
   std::map<std::size_t, std::vector<double>> overrides;
+  std::vector<double> fractions = {};
 };
 
 /// A bond between two particles, given by their position in Model::particles.
@@ -87,6 +90,14 @@ struct Cell {
   std::array<bool, 3> periodic{true, true, true};
 };
 
+/// Mean strain of a periodic cell (symmetric; shear components are those of the tensor, half the engineering
+/// ones); strains of one load case add up. Displacements are then the strain's, from the cell's origin, and
+/// what particles do beyond it; supports prescribe the latter alone.
+struct Strain {
+  Matrix3 value = Matrix3::Zero();
+  Index load_case = every_case;
+};
+
 struct Model {
   std::vector<Particle> particles;
   std::vector<BondBlock> blocks;
@@ -95,6 +106,7 @@ struct Model {
   std::vector<Load> loads;
   std::vector<std::string> load_cases{""};  ///< one nameless case where the user names none
   std::optional<Cell> cell;
+  std::vector<Strain> strains;  ///< only with a cell
 };
 
 }  // namespace bondstatic

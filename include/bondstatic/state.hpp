@@ -38,7 +38,11 @@ struct State {
       reaction;  ///< what the support does to the particle; zero where free, NaN where left out
   std::vector<BondResult> bonds;  ///< NaN where left out
   double energy = 0;              ///< strain energy of all bonds
-  double work = 0;  ///< of the loads and of moved supports, through the whole motion (at rest = 2 energy)
+  /// Of the loads, of moved supports and of the cell's strain, through the whole motion (at rest = 2 energy).
+  double work = 0;
+  Matrix3 strain = Matrix3::Zero();  ///< mean strain of a periodic cell; displacements have it in them
+  /// Mean stress of a periodic cell, tension positive: sum of force times branch over the cell's volume.
+  Matrix3 stress = Matrix3::Constant(not_given);
 };
 
 }  // namespace bondstatic

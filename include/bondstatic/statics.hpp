@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bondstatic/effective_stiffness.hpp"
 #include "bondstatic/linear_solver.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/state.hpp"
@@ -65,6 +67,9 @@ struct StaticReport {
 struct StaticSolution {
   std::vector<LoadCaseResult> cases;  ///< in the order of Model::load_cases
   StaticReport report;
+  /// Of a cell that is periodic in all directions, where the load cases are nothing but strains, six of them
+  /// independent.
+  std::optional<EffectiveStiffness> effective = {};
 };
 
 /// Throws MechanismError, AccuracyError, MemoryError; Error (invalid_input) for an unknown solver or a degree

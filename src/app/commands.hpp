@@ -2,10 +2,12 @@
 // returns what the program ends with.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bondstatic/error.hpp"
+#include "bondstatic/types.hpp"
 #include "system/ranks.hpp"
 
 namespace bondstatic {
@@ -39,6 +41,46 @@ ExitCode check(const SolveArguments& arguments);
 
 /// All laws where `name` is empty.
 ExitCode laws(const std::string& name, bool json);
+
+/// What other codes' bonds are made of: all of them where `name` is empty.
+ExitCode codes(const std::string& name, bool json);
+
+struct ImportArguments {
+  std::vector<std::string> files;
+  std::string folder;  ///< of the case that is written
+  std::string atom_style;
+  std::vector<std::string> bond_columns;
+  std::optional<Index> step;
+  bool json = false;
+};
+ExitCode import_packing(const ImportArguments& arguments);
+
+struct TranslateArguments {
+  SolveArguments solve;
+  std::string to;  ///< name of a code
+};
+ExitCode translate(const TranslateArguments& arguments);
+
+struct ExportArguments {
+  SolveArguments solve;
+  std::string to;  ///< name of a format
+  bool relaxed = false;
+  bool has_load_case = false;
+  std::string load_case;
+};
+ExitCode export_case(const ExportArguments& arguments);
+
+struct CompareArguments {
+  SolveArguments solve;
+  std::string run;    ///< dump or table with the state of a run's particles
+  std::string bonds;  ///< local dump or table with the forces of its bonds; may be ""
+  std::vector<std::string> bond_columns, bond_force;
+  std::optional<Index> step;
+  bool every_step = false;
+  double tolerance = 1e-3;
+  std::optional<std::string> load_case;
+};
+ExitCode compare(const CompareArguments& arguments);
 
 ExitCode solvers(bool json);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -71,6 +72,32 @@ std::string displacement_table(const std::vector<const State*>& states,
   }
   return to_text(table, 2);
 }
+
+namespace {
+
+std::string effective_text(const EffectiveStiffness& effective) {
+  Table table{{{"effective stiffness", "xx", "yy", "zz", "yz", "xz", "xy"}},
+              {false, true, true, true, true, true, true}};
+  for (int i = 0; i < 6; ++i) {
+    std::vector<std::string> row{table.rows.front()[std::size_t(i) + 1]};
+    const double noise = 1e-12 * effective.stiffness.cwiseAbs().maxCoeff();
+    for (int j = 0; j < 6; ++j)
+      row.push_back(std::abs(effective.stiffness(i, j)) <= noise
+                        ? "0"
+                        : fmt::format("{:.7g}", effective.stiffness(i, j)));
+    table.rows.push_back(std::move(row));
+  }
+  const IsotropicFit bound = isotropic_fit(effective.voigt), &fit = effective.isotropic;
+  Table lines;
+  lines.rows.push_back({"isotropic", fmt::format("E = {:.7g}, nu = {:.7g}, misfit {:.2g} %", fit.young,
+                                                 fit.poisson, 100 * fit.misfit)});
+  lines.rows.push_back(
+      {"Voigt bound", fmt::format("E = {:.7g}, nu = {:.7g} were nothing to move but with the strain",
+                                  bound.young, bound.poisson)});
+  return to_text(table, 2) + "\n" + to_text(lines, 2);
+}
+
+}  // namespace
 
 std::string dropped_text(const std::vector<std::vector<Index>>& dropped) {
   constexpr std::size_t most = 12;
@@ -150,6 +177,7 @@ std::string report(const Case& given, const ModelFacts& model, const Answer& ans
   for (const State& state : answer.solution.cases) states.push_back(&state);
   std::string text = heading(given, model) + "\n";
   text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(answer.outputs);
+  if (answer.solution.effective) text += "\n" + effective_text(*answer.solution.effective);
   Table lines = facts(answer.solution);
   if (!files.empty())
     lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names_of(files)), 12)});

@@ -26,6 +26,7 @@ struct BlockPlan {
 
   const BondLaw* law = nullptr;
   ContactPoint contact_point;
+  const std::vector<double>* fractions = nullptr;  ///< of single bonds; empty: none
   ParameterRules rules;
   std::vector<double> values;  ///< complete where there are no overrides
   std::vector<Override> overrides;
@@ -47,7 +48,7 @@ BlockPlan plan(const BondBlock& block, std::size_t number, std::vector<Fault>& f
     return fault(
         fmt::format("{} parameters, but the law takes {}", block.parameters.size(), law->parameters.size()),
         "see `bondstatic laws`");
-  BlockPlan out{law, block.contact_point, parameter_rules(*law), block.parameters, {}};
+  BlockPlan out{law, block.contact_point, &block.fractions, parameter_rules(*law), block.parameters, {}};
   out.values.resize(law->parameters.size(), not_given);
   for (const auto& [parameter, values] : block.overrides)
     out.overrides.push_back({parameter, &values, out.rules.ruled_out_by(parameter)});
@@ -80,9 +81,15 @@ bool sound(const BondProperties& p) {
   return finite && c.kn > 0 && c.ks >= 0 && c.kt >= 0 && c.kb >= 0 && definite;
 }
 
+/// The contact point that the k-th bond of the block is asked for.
+ContactPoint contact_point(const BlockPlan& plan, Index k) {
+  const double own = plan.fractions->empty() ? not_given : plan.fractions->at(std::size_t(k));
+  return std::isnan(own) ? plan.contact_point : ContactPoint{ContactPoint::Kind::fraction, own};
+}
+
 /// Finding and cure, "; " between them; empty if nothing is wrong.
-std::string evaluate(const BlockPlan& plan, const BondSite& site, std::span<const double> values,
-                     BondProperties& out) {
+std::string evaluate(const BlockPlan& plan, ContactPoint point, const BondSite& site,
+                     std::span<const double> values, BondProperties& out) {
   const BondLaw& law = *plan.law;
   if (!(site.length > 0) || !std::isfinite(site.length))
     return fmt::format("length = {} must be positive; move the particles apart, or remove the bond",
@@ -90,8 +97,8 @@ std::string evaluate(const BlockPlan& plan, const BondSite& site, std::span<cons
   if (law.forbids)
     if (std::string finding = law.forbids(site, values); !finding.empty()) return finding;
   out = law.evaluate(site, values);
-  out.fraction = contact_fraction(plan.contact_point, law, site);
-  if (law.stiffness_at_own_contact_point && plan.contact_point.kind != ContactPoint::Kind::of_law) {
+  out.fraction = contact_fraction(point, law, site);
+  if (law.stiffness_at_own_contact_point && point.kind != ContactPoint::Kind::of_law) {
     const double own = contact_fraction(law.contact_point, law, site);
     out.stiffness = moved(out.stiffness, (out.fraction - own) * site.length);
   }
@@ -132,11 +139,12 @@ void evaluate(const Model& model, const std::vector<BlockPlan>& plans, Index beg
     const BondSite site = bond_site(model, bond);
     found.clear();
     BondProperties& own = out[std::size_t(k)];
+    const ContactPoint point = contact_point(plan, bond.in_block);
     if (plan.overrides.empty()) {
-      found.push_back(evaluate(plan, site, plan.values, own));
+      found.push_back(evaluate(plan, point, site, plan.values, own));
     } else {
       own_parameters(plan, std::size_t(bond.in_block), values);
-      if (complete(plan.rules, values, found)) found.push_back(evaluate(plan, site, values, own));
+      if (complete(plan.rules, values, found)) found.push_back(evaluate(plan, point, site, values, own));
     }
     for (const std::string& text : found) {
       if (text.empty()) continue;

@@ -8,7 +8,8 @@
 
 namespace bondstatic {
 
-const BondLaw* read_law(TableReader& block) {
+const BondLaw* read_law(TableReader& block, const std::string& otherwise) {
+  if (!otherwise.empty()) block.set_default("law", Node::of(otherwise));
   std::vector<std::string> names;
   for (const BondLaw& law : bond_laws()) names.push_back(law.name);
   if (!block.require("law", fmt::format("add law = \"..\", one of: {}", name_list(names)))) return nullptr;

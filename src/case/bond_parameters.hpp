@@ -9,8 +9,9 @@
 
 namespace bondstatic {
 
-/// The law that the block names; null and a fault where there is none of that name.
-const BondLaw* read_law(TableReader& block);
+/// The law that the block names; null and a fault where there is none of that name. `otherwise` is taken
+/// where the block names none; "": that is a fault, too.
+const BondLaw* read_law(TableReader& block, const std::string& otherwise = "");
 
 /// The block's own parameters in the law's order, NaN where not given. Checks nothing but their type and
 /// unit.

@@ -8,8 +8,8 @@
 
 #include "case/bond_file.hpp"
 #include "case/bond_parameters.hpp"
-#include "case/pair_set.hpp"
 #include "case/selector.hpp"
+#include "io/pair_set.hpp"
 #include "model/bond_formation.hpp"
 
 namespace bondstatic {
@@ -91,18 +91,24 @@ class BondAdder {
     draft.bond_of_id.expect(Index(expected));
   }
 
-  /// `id` -1: the next one; `place()`: where it is asked for. False where the bond is left out.
+  /// `id` -1: the next one; `place()`: where it is asked for. `image`: of b, in a periodic cell; null: the
+  /// nearest. False where the bond is left out.
   template <class PlaceOf>
-  bool add(Index a, Index b, Index id, PlaceOf place) {
+  bool add(Index a, Index b, Index id, PlaceOf place, const CellImage* image = nullptr) {
     if (pairs_ && !pairs_->add(a, b) && existing_ != "add") {
       if (existing_ == "error")
         fault(place(), fmt::format("particles {} and {} are bonded already", id_of(a), id_of(b)),
               "write existing = \"skip\" to leave such pairs alone, or \"add\" for parallel bonds");
       return false;
     }
-    const Vector3 branch =
+    Vector3 branch =
         draft_.model.particles[std::size_t(b)].position - draft_.model.particles[std::size_t(a)].position;
-    if (branch.isZero(0))
+    if (draft_.model.cell)
+      branch += shift_of(*draft_.model.cell, image ? *image : nearest(a, b, branch, place));
+    if (a == b)
+      fault(place(), fmt::format("particle {} would be bonded to its own image", id_of(a)),
+            "the cell is too small for its bonds: repeat it along that edge");
+    else if (branch.isZero(0))
       fault(place(), fmt::format("particles {} and {}, to be bonded, lie in one point", id_of(a), id_of(b)),
             "move or remove one of them");
     if (id < 0) id = next_id_;
@@ -118,6 +124,19 @@ class BondAdder {
 
  private:
   Index id_of(Index particle) const { return draft_.model.particles[std::size_t(particle)].id; }
+
+  template <class PlaceOf>
+  CellImage nearest(Index a, Index b, const Vector3& branch, PlaceOf place) {
+    constexpr double doubt = 1e-6;
+    const NearestImage found = nearest_image(*draft_.model.cell, branch);
+    if (found.next_length <= (1 + doubt) * found.length)
+      fault(place(),
+            fmt::format(
+                "two images of particle {} are equally near to particle {}, to which it is to be bonded",
+                id_of(b), id_of(a)),
+            "the cell is too small to tell which bond is meant: repeat it, or let bonds form by distance");
+    return found.image;
+  }
 
   void fault(const Place& place, const std::string& message, const std::string& cure) {
     if (++said_[cure] <= most_faults_) draft_.reading.fault(place, message, cure);
@@ -139,13 +158,15 @@ void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
     const Index id = rows.ids.empty() ? -1 : rows.ids[row];
     if (!adder.add(rows.a[row], rows.b[row], id, [&] { return rows.places[row]; })) continue;
     for (const auto& [parameter, values] : rows.overrides) made.overrides[parameter].push_back(values[row]);
+    if (!rows.fractions.empty()) made.fractions.push_back(rows.fractions[row]);
   }
 }
 
 void read_block(Draft& draft, TableReader& block) {
   Reading& reading = draft.reading;
   const std::size_t before = reading.faults.size();
-  const BondLaw* law = read_law(block);
+  auto file = block.has("file") ? open_bond_file(draft, block) : std::nullopt;
+  const BondLaw* law = read_law(block, file && file->gives_stiffness() ? "generic" : "");
   BondBlock made;
   std::vector<double> given;
   if (law) {
@@ -165,7 +186,7 @@ void read_block(Draft& draft, TableReader& block) {
   if (!law) return block.accept_any();  // its parameters are unknown
 
   std::optional<BondRows> rows;
-  if (from_file) rows = read_bond_file(draft, block, *law, given);
+  if (from_file && file) rows = bond_rows(draft, std::move(*file), *law, given);
   if (rows && !rows->overrides.empty())
     made.parameters = given;  // each bond completes them in its own way
   else if (parameters_read && (rows || !from_file))
@@ -173,12 +194,18 @@ void read_block(Draft& draft, TableReader& block) {
   if (reading.faults.size() != before || !draft.particles_known) return;
 
   std::vector<std::pair<Index, Index>> formed;
-  if (!rows)
-    formed = bonded_pairs(draft.model.particles, formation, between ? &*between : nullptr, reading.threads);
+  std::vector<BondedImage> across;
+  const PositionLists* lists = between ? &*between : nullptr;
+  if (!rows && draft.model.cell)
+    across = bonded_images(draft.model.particles, *draft.model.cell, formation, lists, reading.threads);
+  else if (!rows)
+    formed = bonded_pairs(draft.model.particles, formation, lists, reading.threads);
   const int most_faults = rows ? 20 : 1;  // formed bonds share the place of their block
-  BondAdder adder(draft, existing, most_faults, rows ? rows->a.size() : formed.size(), !rows);
+  BondAdder adder(draft, existing, most_faults, rows ? rows->a.size() : formed.size() + across.size(), !rows);
   if (rows) add_rows(adder, *rows, made);
-  for (const auto& [a, b] : formed) adder.add(a, b, -1, [&] { return block.place(); });
+  const auto place = [&] { return block.place(); };
+  for (const auto& [a, b] : formed) adder.add(a, b, -1, place);
+  for (const BondedImage& bond : across) adder.add(bond.a, bond.b, -1, place, &bond.image);
   if (adder.sound() && adder.added() == 0) {
     if (existing == "skip")
       reading.warnings.push_back(

@@ -1,9 +1,10 @@
 // [[bonds]]: one law a block.
 //
-//   law and its parameters, as `bondstatic laws` lists them
+//   law and its parameters, as `bondstatic laws` lists them; "generic" where a file gives kn, ks, kt and kb
 //   gap (0) | contact_radius_factor | file = "bonds.csv": where bonds form. A file has columns a, b (particle
-//   ids) and,
-//       where wanted, id and any parameter of the law for single bonds
+//       ids) and, where wanted, id, any parameter of the law for single bonds, and contact_point, a number as
+//       below. Or it is another code's: LAMMPS data, a local dump (bond_columns = ["c_1[1]", "c_1[2]"],
+//       step), YADE, MUSEN, PFC; what it gives of the law's parameters is each bond's own
 //   between = "group" | ["a", "b"]: one end in each group
 //   contact_point = "gap" | "beam" | "contact-radii" (with contact_radius_factor) | a number in (0, 1): part
 //   of the

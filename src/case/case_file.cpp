@@ -6,6 +6,7 @@
 #include <array>
 
 #include "case/bonds.hpp"
+#include "case/cell.hpp"
 #include "case/dynamic_options.hpp"
 #include "case/load_cases.hpp"
 #include "case/loads.hpp"
@@ -56,7 +57,7 @@ RelaxOptions read_relax_options(Reading& reading, Node& root, TableReader& top) 
 /// Tables of parts of the program that neither `solve` nor a run through time uses.
 void warn_of_reserved(Draft& draft, TableReader& top) {
   const char* user = draft.reading.purpose == Purpose::dynamics ? "a run through time" : "solve";
-  for (const char* name : {"fracture", "calibration", "cell"})
+  for (const char* name : {"fracture", "calibration"})
     if (const Node* node = top.find(name))
       draft.reading.warnings.push_back(
           fmt::format("{}:{}: [{}] is not used by {}", node->place.file, node->place.line, name, user));
@@ -81,12 +82,14 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   out.solve = read_solve_options(draft.reading, *top.find("solve"));
   draft.reading.threads = out.solve.threads > 0 ? std::min(threads, out.solve.threads) : threads;
   out.relax = read_relax_options(draft.reading, root, top);
+  read_cell(draft, top.find("cell"));
   read_particles(draft, top.find("particles"));
   read_groups(draft, top.find("groups"));
   read_bonds(draft, top.find("bonds"));
   collect_load_cases(draft, top.find("loads"), top.find("supports"));
   read_supports(draft, top.find("supports"));
   read_loads(draft, top.find("loads"));
+  complete_cell(draft, top.has("loads"), top.has("supports"));
   out.outputs = read_outputs(draft, top.find("outputs"));
   warn_of_reserved(draft, top);
   top.finish();

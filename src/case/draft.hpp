@@ -4,8 +4,8 @@
 #include <map>
 
 #include "bondstatic/model.hpp"
-#include "case/id_table.hpp"
 #include "case/reading.hpp"
+#include "io/id_table.hpp"
 
 namespace bondstatic {
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/cell.hpp"
 #include "case/load_cases.hpp"
 #include "case/selector.hpp"
 
@@ -53,9 +54,11 @@ void read_loads(Draft& draft, Node* list) {
     const std::vector<std::string> point_keys{"force", "total_force", "moment", "total_moment"};
     bool has_point_load = false;
     for (const std::string& key : point_keys) has_point_load = block.has(key) || has_point_load;
-    if (!block.has("gravity") || has_point_load || block.has("at")) at = select_particles(draft, block, "at");
-    if (!block.has("gravity") && !has_point_load)
-      block.require("force", "add force = [X, Y, Z], total_force, moment, total_moment or gravity");
+    const auto strain = read_strain(draft, block);
+    const bool on_all = block.has("gravity") || block.has("strain");
+    if (!on_all || has_point_load || block.has("at")) at = select_particles(draft, block, "at");
+    if (!on_all && !has_point_load)
+      block.require("force", "add force = [X, Y, Z], total_force, moment, total_moment, gravity or strain");
 
     const std::size_t count = at ? at->size() : 0;
     Load load;
@@ -65,6 +68,7 @@ void read_loads(Draft& draft, Node* list) {
     const std::vector<Index> pulled = gravity ? heavy(draft, block, at) : std::vector<Index>{};
     if (draft.reading.faults.size() != before) return;
 
+    if (strain) draft.model.strains.push_back({*strain, load.load_case});
     if (at && has_point_load)
       for (const Index particle : *at) {
         load.particle = particle;

@@ -63,6 +63,7 @@ void read_reduction(TableReader& block, Quantity::Where where, Output& output) {
 
 void read_load_case(Draft& draft, TableReader& block, Output& output) {
   const auto& names = draft.model.load_cases;
+  if (output.of.starts_with("effective_")) return;  // of all load cases together
   if (const auto name = block.text("case")) {
     output.load_case = *name;
     if (std::find(names.begin(), names.end(), *name) != names.end()) return;

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "case/foreign_file.hpp"
+#include "formats/join_models.hpp"
 #include "io/nearest_name.hpp"
 #include "io/table.hpp"
 
@@ -50,6 +53,27 @@ std::vector<double> positive(const Table& table, int column, std::vector<Fault>&
   return values;
 }
 
+/// Rows of another code's file; nothing, and faults, where they are unsound.
+std::optional<ParticleRows> rows_of(ForeignModel model, const std::string& path, std::vector<Fault>& faults) {
+  const auto any = [&](auto&& has) {
+    return std::any_of(model.particles.begin(), model.particles.end(), has);
+  };
+  ParticleRows rows;
+  rows.has_id = any([](const Particle& particle) { return particle.id >= 0; });
+  rows.has_radius = any([](const Particle& particle) { return !std::isnan(particle.radius); });
+  rows.has_density = any([](const Particle& particle) { return !std::isnan(particle.density); });
+  rows.places = RowPlaces(path, model.particle_line, model.particles.size());
+  std::vector<ReadFile> files(1);
+  files.front() = {path, std::move(model)};
+  auto joined = join_models(std::move(files), faults);
+  if (!joined) return std::nullopt;
+  ForeignModel& sound = joined->model;
+  rows.particles = std::move(sound.particles);
+  for (const int group : sound.group) rows.groups.push_back(sound.group_names[std::size_t(group)]);
+  rows.cell = sound.cell;
+  return rows;
+}
+
 }  // namespace
 
 std::optional<ParticleRows> read_particle_file(TableReader& block) {
@@ -57,12 +81,26 @@ std::optional<ParticleRows> read_particle_file(TableReader& block) {
   const std::size_t before = faults.size();
   const auto path = block.path("file");
   if (!path) return std::nullopt;
+  accept_foreign_keys(block, WantedOf::particles);
+  if (is_foreign_file(*path)) {
+    auto model = read_foreign_file(block, *path, WantedOf::particles);
+    return model ? rows_of(std::move(*model), *path, faults) : std::nullopt;
+  }
   const auto table = read_table(*path, block.place_of("file"), faults, block.reading().threads);
-  if (!table) return std::nullopt;
+  // A table without this project's columns may be another code's.
+  const auto other_code = [&]() -> std::optional<ParticleRows> {
+    auto model = try_foreign_table(block, *path, WantedOf::particles, aliases()[x]);
+    if (!model) return std::nullopt;
+    faults.resize(before);
+    return rows_of(std::move(*model), *path, faults);
+  };
+  if (!table) return other_code();
 
   std::vector<int> column(count);
   for (int what = 0; what < count; ++what)
     column[std::size_t(what)] = table->find(aliases()[std::size_t(what)], faults);
+  if (column[x] < 0 && column[y] < 0 && column[z] < 0)
+    if (auto rows = other_code()) return rows;
   for (const int what : {x, y, z})
     if (column[std::size_t(what)] < 0)
       faults.push_back(

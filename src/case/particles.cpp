@@ -142,6 +142,11 @@ void read_particles(Draft& draft, Node* list) {
     std::optional<ParticleRows> rows = read_rows(block);
     const std::vector<std::string> groups = block.texts("group").value_or(std::vector<std::string>{});
     disturb(block, rows ? &*rows : nullptr);
+    if (rows && rows->cell && !draft.model.cell)
+      reading.warnings.push_back(fmt::format(
+          "{}:{}: the file's box is periodic, and the case has no [cell]: nothing goes on across its "
+          "faces. `bondstatic import` writes that table",
+          block.place_of("file").file, block.place_of("file").line));
     if (!rows || reading.faults.size() != before || !add_rows(draft, block, *rows, groups, largest_id))
       draft.particles_known = false;
     require_density(block, rows ? &*rows : nullptr);

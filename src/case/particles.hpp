@@ -9,7 +9,10 @@
 //   lattice = { kind = "simple-cubic" | "bcc" | "fcc", count = [NX, NY, NZ] conventional cells, spacing =
 //   lattice
 //             constant a of the conventional cell, origin }
-//   file    = "packing.csv" with columns x, y, z, radius | diameter and, where wanted, id, density, group
+//   file    = "packing.csv" with columns x, y, z, radius | diameter and, where wanted, id, density, group; or
+//   a
+//             file of another code: LAMMPS data (with atom_style where it does not say it) or dump (step: its
+//             last unless given), YADE, EDEM, MUSEN, PFC. Their types are groups, "type 1"
 //
 //   radius, density, group = "name" | [names]; jitter (part of the radius) | jitter_length: largest change of
 //   each coordinate; removal (part of the particles); seed. Ids without a file's id column go on from the

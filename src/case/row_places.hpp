@@ -17,6 +17,13 @@ class RowPlaces {
     for (Index row = 0; row < table.rows(); ++row) at_.push_back(table.line_and_column(row, column));
   }
 
+  /// Of lines that are told one by one; all of the file's name only where there are none.
+  RowPlaces(std::string file, const std::vector<int>& lines, std::size_t rows) : file_(std::move(file)) {
+    at_.reserve(rows);
+    for (std::size_t row = 0; row < rows; ++row)
+      at_.emplace_back(row < lines.size() ? lines[row] : 0, row < lines.size() ? 1 : 0);
+  }
+
   bool empty() const { return at_.empty(); }
   Place operator[](std::size_t row) const { return {file_, at_[row].first, at_[row].second}; }
 

@@ -1,5 +1,7 @@
 #include "dynamics/bond_pack.hpp"
 
+#include <cmath>
+
 namespace bondstatic {
 
 namespace {
@@ -32,6 +34,7 @@ Vector3 side_of(const Vector3& axis) {
 
 double stretch_share(const Model& model, const Bond& bond, double fraction) {
   const BondBlock& block = model.blocks[std::size_t(bond.block)];
+  if (!block.fractions.empty() && !std::isnan(block.fractions[std::size_t(bond.in_block)])) return fraction;
   ContactPoint::Kind kind = block.contact_point.kind;
   if (kind == ContactPoint::Kind::of_law) kind = find_bond_law(block.law)->contact_point.kind;
   const bool ratio = kind == ContactPoint::Kind::fraction || kind == ContactPoint::Kind::section_change;

@@ -46,6 +46,8 @@ struct ForeignModel {
   std::map<std::string, std::vector<double>> kept_columns;
 
   std::optional<Cell> cell;  ///< only where some direction is periodic
+  /// Where a file has a box but does not say along which edges it repeats (LAMMPS data): none of them, here.
+  std::optional<Cell> box;
   bool si = false;           ///< the file says that its numbers are SI
   ImportNotes notes;
 };

@@ -22,6 +22,7 @@ struct ParticleState {
   std::vector<double> radius;                                      ///< empty where not written
   std::vector<Index> type;                                         ///< empty where not written
   std::optional<Cell> cell;                                        ///< only where some direction is periodic
+  std::vector<std::string> notes;  ///< what a user must know of the reading, each a full sentence
 };
 
 /// Bonds of a step, rows in the file's order; columns under the file's names.
@@ -29,6 +30,7 @@ struct BondState {
   Index step = 0;
   std::vector<Index> a, b;  ///< particle ids
   std::map<std::string, std::vector<double>> columns;
+  std::vector<std::string> notes;  ///< as above
 };
 
 }  // namespace bondstatic

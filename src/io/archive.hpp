@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -53,8 +54,8 @@ class Archive {
 
   bool reading() const { return mode_ == Mode::reading; }
 
-  /// Numbers, enums, text, vectors and arrays, Eigen's of fixed size, and what has a `describe` as above, in
-  /// any nesting. Constants are fine where nothing is read into them.
+  /// Numbers, enums, text, vectors and arrays, Eigen's of fixed size, optional values, and what has a
+  /// `describe` as above, in any nesting. Constants are fine where nothing is read into them.
   template <class... T>
   Archive& operator()(T&... values) {
     (value(values), ...);
@@ -106,6 +107,11 @@ void Archive::value(T& data) {
     std::uint8_t byte = data;
     bytes(&byte, 1);
     if (reading()) data = byte != 0;
+  } else if constexpr (requires { data.has_value(); }) {
+    bool there = data.has_value();
+    this->value(there);
+    if (reading()) there ? void(data.emplace()) : data.reset();
+    if (there) this->value(*data);
   } else if constexpr (requires { data.push_back(data.front()); }) {
     sequence(data);
   } else if constexpr (requires { std::tuple_size<T>::value; }) {

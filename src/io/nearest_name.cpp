@@ -11,7 +11,7 @@ char lower(char c) {
 
 /// Optimal string alignment distance.
 std::size_t edits(std::string_view left, std::string_view right) {
-  std::vector<std::size_t> above2, above(right.size() + 1), row(right.size() + 1);
+  std::vector<std::size_t> above2(right.size() + 1), above(right.size() + 1), row(right.size() + 1);
   for (std::size_t j = 0; j <= right.size(); ++j) above[j] = j;
   for (std::size_t i = 1; i <= left.size(); ++i) {
     row[0] = i;
@@ -21,8 +21,8 @@ std::size_t edits(std::string_view left, std::string_view right) {
       const bool swapped = i > 1 && j > 1 && l == lower(right[j - 2]) && r == lower(left[i - 2]);
       if (swapped) row[j] = std::min(row[j], above2[j - 2] + 1);
     }
-    above2 = above;
-    above = row;
+    above2.swap(above);
+    above.swap(row);
   }
   return above[right.size()];
 }
@@ -34,8 +34,11 @@ std::string nearest_name(std::string_view name, std::span<const std::string> kno
   std::string best;
   std::size_t fewest = 1000;
   for (const std::string& candidate : known) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    const std::size_t shorter = std::min(name.size(), candidate.size());
+    const std::size_t allowed = std::max<std::size_t>(1, longer / 3);
+    if (longer - shorter > allowed) continue;  // as many edits at least
     const std::size_t needed = edits(name, candidate);
-    const std::size_t allowed = std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
     if (needed <= allowed && needed < fewest && needed < candidate.size()) {
       fewest = needed;
       best = candidate;

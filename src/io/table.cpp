@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "io/number_field.hpp"
 #include "io/table_fields.hpp"
 #include "io/text_file.hpp"
 
@@ -19,19 +19,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// NaN where the field is no number, infinite where it is out of range.
-double plain_number(std::string_view field) {
-  const char *begin = field.data(), *end = begin + field.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (stop != end || begin == end) return std::numeric_limits<double>::quiet_NaN();
-  if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
-  return error == std::errc() ? value : std::numeric_limits<double>::quiet_NaN();
-}
-
 double number_of(std::string_view field) {
-  return field.starts_with('"') ? plain_number(unquoted(field)) : plain_number(field);
+  return field.starts_with('"') ? number_field(unquoted(field)) : number_field(field);
 }
 
 std::string number_cure(std::string_view field) {

@@ -4,15 +4,22 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 
 namespace bondstatic {
 
-std::optional<std::string> read_text_file(const std::string& path, const Place& named_at,
-                                          std::vector<Fault>& faults) {
+namespace {
+
+Fault file_fault(const std::string& path, const Place& named_at, const std::string& what,
+                 const std::string& cure) {
+  return {named_at, "file \"" + path + "\" " + what, cure};
+}
+
+}  // namespace
+
+TextStream open_text_file(const std::string& path, const Place& named_at, std::vector<Fault>& faults) {
   const auto fail = [&](const std::string& what, const std::string& cure) {
-    faults.push_back({named_at, "file \"" + path + "\" " + what, cure});
-    return std::nullopt;
+    faults.push_back(file_fault(path, named_at, what, cure));
+    return TextStream(nullptr, &std::fclose);
   };
   if (path.empty() || path.find('\0') != std::string::npos)
     return fail("is no file name", "give the path of a text file");
@@ -23,14 +30,23 @@ std::optional<std::string> read_text_file(const std::string& path, const Place& 
   if (std::filesystem::is_directory(status)) return fail("is a folder", "give the path of a text file");
   if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
     return fail("is a device", "give the path of a text file");
-
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+  TextStream stream(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!stream) return fail(std::string("cannot be opened: ") + std::strerror(errno), "check its permissions");
+  return stream;
+}
+
+std::optional<std::string> read_text_file(const std::string& path, const Place& named_at,
+                                          std::vector<Fault>& faults) {
+  const auto fail = [&](const std::string& what, const std::string& cure) {
+    faults.push_back(file_fault(path, named_at, what, cure));
+    return std::nullopt;
+  };
+  const TextStream stream = open_text_file(path, named_at, faults);
+  if (!stream) return std::nullopt;
   std::string text;
-  if (std::filesystem::is_regular_file(status)) {
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error) text.reserve(size);
-  }
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // an error for what is no plain file
+  if (!error) text.reserve(size);
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stream.get()))
     text.append(buffer, count);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
+#include "model/cell.hpp"
 
 namespace bondstatic {
 
@@ -24,5 +25,16 @@ using PositionLists = std::pair<std::vector<Index>, std::vector<Index>>;
 std::vector<std::pair<Index, Index>> bonded_pairs(std::span<const Particle> particles,
                                                   const Formation& formation,
                                                   const PositionLists* between = nullptr, int threads = 1);
+
+/// The same in a periodic cell, where the bond goes from a to the image of b (in model positions, not in
+/// those brought into the cell). A particle near its own image is paired with itself.
+struct BondedImage {
+  Index a = 0;
+  Index b = 0;
+  CellImage image{};
+};
+std::vector<BondedImage> bonded_images(std::span<const Particle> particles, const Cell& cell,
+                                       const Formation& formation, const PositionLists* between = nullptr,
+                                       int threads = 1);
 
 }  // namespace bondstatic

@@ -19,7 +19,7 @@ bool concerns(Index named, Index load_case) {
 Boundary boundary_of(const Model& model, Index load_case) {
   const std::size_t count = model.particles.size();
   Boundary boundary{std::vector<std::uint8_t>(count, 0x3f), std::vector<Vector6>(count, Vector6::Zero()),
-                    std::vector<Vector6>(count, Vector6::Zero())};
+                    std::vector<Vector6>(count, Vector6::Zero()), Matrix3::Zero()};
   for (const Support& support : model.supports) {
     if (!concerns(support.load_case, load_case)) continue;
     const auto p = std::size_t(support.particle);
@@ -37,6 +37,8 @@ Boundary boundary_of(const Model& model, Index load_case) {
   }
   for (const Load& load : model.loads)
     if (concerns(load.load_case, load_case)) boundary.load[std::size_t(load.particle)] += load.force;
+  for (const Strain& strain : model.strains)
+    if (concerns(strain.load_case, load_case)) boundary.strain += strain.value;
   return boundary;
 }
 

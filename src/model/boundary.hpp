@@ -1,4 +1,4 @@
-// Supports and loads of one load case, spread over the particles.
+// Supports, loads and strain of one load case, spread over the particles.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,7 @@ struct Boundary {
   std::vector<std::uint8_t> free;   ///< bit i of free[p]: degree of freedom i of particle p is free
   std::vector<Vector6> prescribed;  ///< motion where not free, zero elsewhere
   std::vector<Vector6> load;
+  Matrix3 strain = Matrix3::Zero();  ///< of the periodic cell
 };
 
 /// Throws Error (invalid_input) where two supports prescribe one degree of freedom differently.

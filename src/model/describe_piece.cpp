@@ -19,7 +19,7 @@ void describe(Archive& archive, std::map<std::size_t, std::vector<double>>& over
 }
 
 void describe(Archive& archive, BondBlock& b) {
-  archive(b.law, b.parameters, b.contact_point, b.overrides);
+  archive(b.law, b.parameters, b.contact_point, b.overrides, b.fractions);
 }
 
 void describe(Archive& archive, Bond& b) {
@@ -34,9 +34,17 @@ void describe(Archive& archive, Load& l) {
   archive(l.particle, l.force, l.load_case);
 }
 
+void describe(Archive& archive, Strain& s) {
+  archive(s.value, s.load_case);
+}
+
+void describe(Archive& archive, Cell& c) {
+  archive(c.origin, c.edges, c.periodic);
+}
+
 void describe(Archive& archive, Piece& piece) {
   Model& m = piece.model;
-  archive(m.particles, m.blocks, m.bonds, m.supports, m.loads, m.load_cases);
+  archive(m.particles, m.blocks, m.bonds, m.supports, m.loads, m.load_cases, m.cell, m.strains);
   archive(piece.own, piece.particle, piece.bond, piece.owner);
 }
 

@@ -109,6 +109,7 @@ void choose_bonds(const Model& whole, const std::vector<Index>& bonds, Model& pi
   for (const BondBlock& block : whole.blocks) {
     piece.blocks.push_back(block);
     for (auto& [parameter, column] : piece.blocks.back().overrides) column.clear();
+    piece.blocks.back().fractions.clear();
   }
   std::vector<Index> count(whole.blocks.size(), 0);
   for (const Index k : bonds) {
@@ -117,6 +118,7 @@ void choose_bonds(const Model& whole, const std::vector<Index>& bonds, Model& pi
     BondBlock& to = piece.blocks[std::size_t(bond.block)];
     for (const auto& [parameter, column] : from.overrides)
       to.overrides[parameter].push_back(column[std::size_t(bond.in_block)]);
+    if (!from.fractions.empty()) to.fractions.push_back(from.fractions[std::size_t(bond.in_block)]);
     bond.in_block = count[std::size_t(bond.block)]++;
     piece.bonds.push_back(bond);
   }
@@ -144,6 +146,8 @@ Piece Cut::piece(int rank) const {
   piece.model.supports = chosen(model_.supports, lists.supports, piece.particle, local);
   piece.model.loads = chosen(model_.loads, lists.loads, piece.particle, local);
   piece.model.load_cases = model_.load_cases;
+  piece.model.cell = model_.cell;
+  piece.model.strains = model_.strains;
   return piece;
 }
 

@@ -6,9 +6,17 @@ namespace bondstatic::multigrid {
 
 namespace {
 
-// The links between two clumps while they are added up, felt at the centre of the first one.
+// Branches between the same two centres differ by rounding, those to two images of a centre by an edge of
+// the cell.
+bool same_branch(const Vector3& one, const Vector3& other) {
+  return (one - other).squaredNorm() <= 1e-4 * (one.squaredNorm() + other.squaredNorm());
+}
+
+// The links between two clumps while they are added up, felt at the centre of the first one. Round a periodic
+// cell a clump may have another one on two sides: these are two bundles.
 struct Bundle {
   Index other = 0;
+  Vector3 branch = Vector3::Zero();  // from centre to centre
   Index links = 0;
   Vector3 arms = Vector3::Zero(), arms_there = Vector3::Zero();
   Matrix6 stiffness = Matrix6::Zero();
@@ -28,12 +36,13 @@ struct Surroundings {
   Matrix6 spring = Matrix6::Zero();
   bool tied = false;  // to the ground
 
-  Bundle& to(Index other) {
-    const auto is_it = [other](const Bundle& b) { return b.other == other; };
+  Bundle& to(Index other, const Vector3& branch) {
+    const auto is_it = [&](const Bundle& b) { return b.other == other && same_branch(b.branch, branch); };
     auto bundle = std::find_if(bundles.begin(), bundles.end(), is_it);
     if (bundle == bundles.end()) {
       bundle = bundles.insert(bundles.end(), Bundle{});
       bundle->other = other;
+      bundle->branch = branch;
     }
     return *bundle;
   }
@@ -43,6 +52,13 @@ struct Surroundings {
   }
 };
 
+// A link between a body and its own image feels delta = G(arm_b) U - G(arm_a) U = Theta x (arm_b - arm_a).
+Matrix6 turning_against_image(const Matrix6& c, const Vector3& between_arms) {
+  Matrix6 g = Matrix6::Zero();
+  g.topRightCorner<3, 3>() = -cross_matrix(between_arms);
+  return g.transpose() * c * g;
+}
+
 template <class LinkType>
 void look_around(const Packing<LinkType>& packing, const Clumps& clumps, const std::vector<Vector3>& offset,
                  Index clump, Index member, Surroundings& found) {
@@ -50,19 +66,26 @@ void look_around(const Packing<LinkType>& packing, const Clumps& clumps, const s
   if (const Spring* spring = packing.spring_of(member)) found.tie(seen_from_centre(spring->stiffness, at));
   for (const Index k : packing.incidence->of(member)) {
     const Index q = packing.other_end(k, member), other = clumps.of[std::size_t(q)];
-    if (other != no_clump && other <= clump) continue;  // inside, or added up from the other side
+    if (other != no_clump && other < clump) continue;  // added up from the other side
     const auto& link = packing.link(k);
     const bool at_a = link.a == member;
     const Vector3 arm = at + (at_a ? arm_a(link) : arm_b(link));
+    const Vector3 arm_there = offset[std::size_t(q)] + (at_a ? arm_b(link) : arm_a(link));
+    if (other == clump) {
+      // Of no effect inside the clump, but for one that goes round a periodic cell: that resists turning.
+      if (at_a && !same_branch(arm, arm_there))
+        found.tie(turning_against_image(stiffness_of(link), arm_there - arm));
+      continue;
+    }
     const Matrix6 felt = seen_from_centre(stiffness_of(link), arm);
     if (other == no_clump) {
       found.tie(felt);
       continue;
     }
-    Bundle& bundle = found.to(other);
+    Bundle& bundle = found.to(other, arm - arm_there);
     ++bundle.links;
     bundle.arms += arm;
-    bundle.arms_there += offset[std::size_t(q)] + (at_a ? arm_b(link) : arm_a(link));
+    bundle.arms_there += arm_there;
     bundle.stiffness += felt;
   }
 }

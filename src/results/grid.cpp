@@ -11,20 +11,69 @@ namespace bondstatic {
 
 namespace {
 
-std::vector<Index> all_of(std::size_t count) {
-  std::vector<Index> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), Index(0));
-  return numbers;
+/// Points of the grid: particles first, then copies of particles, of other ranks or across a periodic face.
+struct Points {
+  std::vector<Index> particle;  ///< of each point
+  Index own = 0;                ///< points 0 ... own-1 are no copies
+  std::vector<std::pair<Index, Vector3>>
+      shifted;               ///< ascending points, and how far from the particle they lie
+  std::vector<Index> lines;  ///< two points a bond
+
+  explicit Points(Index first_particles) : particle(std::size_t(first_particles)), own(first_particles) {
+    std::iota(particle.begin(), particle.end(), Index(0));
+  }
+  Index add(Index copied) {
+    particle.push_back(copied);
+    return Index(particle.size()) - 1;
+  }
+};
+
+/// How far the end of a bond lies from particle b where it goes across a periodic face; zero elsewhere.
+Vector3 shift_of_end(const Model& model, const Bond& bond) {
+  if (!model.cell) return Vector3::Zero();
+  const auto at = [&](Index p) -> const Vector3& { return model.particles[std::size_t(p)].position; };
+  const Vector3 shift = bond.branch - (at(bond.b) - at(bond.a));
+  return shift.norm() > 1e-6 * bond.branch.norm() ? shift : Vector3(Vector3::Zero());
 }
 
-std::vector<double> positions(const Model& model, const std::vector<Index>& particles) {
-  std::vector<double> points;
-  points.reserve(3 * particles.size());
-  for (const Index p : particles) {
-    const Vector3& position = model.particles[std::size_t(p)].position;
-    points.insert(points.end(), position.begin(), position.end());
+/// A line across a periodic face ends beside the face, not at the other end of the cell. `point_of` gives the
+/// point of a particle.
+template <class PointOf>
+void add_line(Points& points, const Model& model, const Bond& bond, PointOf point_of) {
+  points.lines.push_back(point_of(bond.a));
+  const Vector3 shift = shift_of_end(model, bond);
+  if (shift.isZero(0)) {
+    points.lines.push_back(point_of(bond.b));
+    return;
   }
-  return points;
+  points.lines.push_back(points.add(bond.b));
+  points.shifted.emplace_back(points.lines.back(), shift);
+}
+
+std::vector<double> positions(const Model& model, const Points& points) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * points.particle.size());
+  for (const Index p : points.particle) {
+    const Vector3& position = model.particles[std::size_t(p)].position;
+    coordinates.insert(coordinates.end(), position.begin(), position.end());
+  }
+  for (const auto& [point, shift] : points.shifted)
+    for (int i = 0; i < 3; ++i) coordinates[std::size_t(3 * point + i)] += shift[i];
+  return coordinates;
+}
+
+/// Across a periodic face, displacement has grown by what the cell's strain has moved the image.
+void strain_images(std::vector<Column>& columns, const Points& points, const Matrix3& strain) {
+  if (strain.isZero(0) || points.shifted.empty()) return;
+  for (Column& column : columns)
+    if (column.name == "displacement")
+      column.at = Column::Numbers<double>([at = std::get<Column::Numbers<double>>(column.at), &points,
+                                           strain](Index i) {
+        const auto found = std::lower_bound(points.shifted.begin(), points.shifted.end(), i / 3,
+                                            [](const auto& one, Index point) { return one.first < point; });
+        if (found == points.shifted.end() || found->first != i / 3) return at(i);
+        return at(i) + strain.row(i % 3).dot(found->second);
+      });
 }
 
 std::vector<Column> chosen(const std::vector<Column>& columns, const std::vector<Index>& rows) {
@@ -44,36 +93,42 @@ void hide_reactions_of_copies(std::vector<Column>& columns, Index first_copy) {
 
 }  // namespace
 
-void write_grid(OutputFile& file, const Model& model, const State& state) {
-  std::vector<Index> lines;
-  lines.reserve(2 * model.bonds.size());
-  for (const Bond& bond : model.bonds) lines.insert(lines.end(), {bond.a, bond.b});
-  write_vtu(file, LineGrid{positions(model, all_of(model.particles.size())), lines, point_data(model, state),
-                           bond_columns(model, state)});
+void write_grid(OutputFile& file, const Model& model, const State& state,
+                const std::vector<Column>& more_of_particles, const std::vector<Column>& more_of_bonds) {
+  Points points{Index(model.particles.size())};
+  points.lines.reserve(2 * model.bonds.size());
+  for (const Bond& bond : model.bonds) add_line(points, model, bond, [](Index p) { return p; });
+  std::vector<Column> of_points = point_data(model, state), of_lines = bond_columns(model, state);
+  of_points.insert(of_points.end(), more_of_particles.begin(), more_of_particles.end());
+  of_lines.insert(of_lines.end(), more_of_bonds.begin(), more_of_bonds.end());
+  if (points.shifted.empty()) {
+    write_vtu(file, LineGrid{positions(model, points), points.lines, of_points, of_lines});
+    return;
+  }
+  std::vector<Column> with_images = chosen(of_points, points.particle);
+  hide_reactions_of_copies(with_images, points.own);
+  strain_images(with_images, points, state.strain);
+  write_vtu(file, LineGrid{positions(model, points), points.lines, with_images, of_lines, points.own});
 }
 
 void write_grid_piece(OutputFile& file, const Piece& piece, const State& state) {
   const Model& model = piece.model;
   const std::vector<Index> bonds = owned_bonds(piece);
-  std::vector<Index> particles = all_of(model.particles.size());
-  std::vector<Index> number(particles.size(), -1);  // as a point
-  std::copy_n(particles.begin(), piece.own, number.begin());
-  particles.resize(std::size_t(piece.own));
-  std::vector<Index> lines;
-  lines.reserve(2 * bonds.size());
+  Points points{piece.own};
+  std::vector<Index> number(model.particles.size(), -1);  // as a point
+  std::iota(number.begin(), number.begin() + piece.own, Index(0));
+  points.lines.reserve(2 * bonds.size());
   for (const Index k : bonds)
-    for (const Index p : {model.bonds[std::size_t(k)].a, model.bonds[std::size_t(k)].b}) {
+    add_line(points, model, model.bonds[std::size_t(k)], [&](Index p) {
       Index& point = number[std::size_t(p)];
-      if (point < 0) {
-        point = Index(particles.size());
-        particles.push_back(p);
-      }
-      lines.push_back(point);
-    }
+      return point < 0 ? point = points.add(p) : point;
+    });
   const std::vector<Column> of_points = point_data(model, state), of_lines = bond_columns(model, state);
-  std::vector<Column> points = chosen(of_points, particles);
-  hide_reactions_of_copies(points, piece.own);
-  write_vtu(file, LineGrid{positions(model, particles), lines, points, chosen(of_lines, bonds), piece.own});
+  std::vector<Column> data = chosen(of_points, points.particle);
+  hide_reactions_of_copies(data, points.own);
+  strain_images(data, points, state.strain);
+  write_vtu(file,
+            LineGrid{positions(model, points), points.lines, data, chosen(of_lines, bonds), points.own});
 }
 
 void write_grid_of_pieces(OutputFile& file, const std::vector<std::string>& pieces) {

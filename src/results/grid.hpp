@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "bondstatic/state.hpp"
+#include "io/column.hpp"
 #include "io/output_file.hpp"
 #include "model/piece.hpp"
 
 namespace bondstatic {
 
-void write_grid(OutputFile& file, const Model& model, const State& state);
+/// `more`: further columns, of particles and of bonds.
+void write_grid(OutputFile& file, const Model& model, const State& state,
+                const std::vector<Column>& more_of_particles = {},
+                const std::vector<Column>& more_of_bonds = {});
 
 /// A rank's own particles, the bonds that it owns, and copies of the particles at their far ends.
 void write_grid_piece(OutputFile& file, const Piece& piece, const State& state);

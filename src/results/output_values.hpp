@@ -1,8 +1,10 @@
 // Steps on the way from an output to its value.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "bondstatic/effective_stiffness.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
 #include "bondstatic/state.hpp"
@@ -10,13 +12,19 @@
 namespace bondstatic {
 
 /// What an output is made from.
-enum class MadeOf { energy, work, particles, bonds, platens };
+enum class MadeOf { energy, work, stress, effective, particles, bonds, platens };
 
 /// Throws Error (invalid_input) where there is no such quantity.
 MadeOf made_of(const Output& output);
 
 /// Throws Error (invalid_input) where there is none of that name.
 const State& load_case_of(const Output& output, const std::vector<const State*>& states);
+
+/// A quantity of a whole static answer. Throws Error (invalid_input) where the answer has none.
+double effective_value(const Output& output, const std::optional<EffectiveStiffness>& effective);
+
+/// Mean stress of a periodic cell; likewise.
+double stress_value(const Output& output, const State& state);
 
 /// One value of those at output.at, in its order. What was left out has no value and does not count; NaN
 /// where nothing is left. Throws Error (invalid_input) where the output asks for one value and has another

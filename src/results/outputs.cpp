@@ -6,6 +6,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/output.hpp"
 #include "results/apparent_young.hpp"
+#include "results/cell_quantities.hpp"
 #include "results/output_values.hpp"
 #include "results/quantities.hpp"
 
@@ -34,10 +35,27 @@ MadeOf made_of(const Output& output) {
   // "energy" is a column of bonds as well: with a selection it is theirs.
   if (output.of == "energy" && output.at.empty()) return MadeOf::energy;
   if (output.of == "work") return MadeOf::work;
+  if (find_stress_quantity(output.of)) return MadeOf::stress;
+  if (find_effective_quantity(output.of)) return MadeOf::effective;
   if (find_particle_quantity(output.of)) return MadeOf::particles;
   if (find_bond_quantity(output.of)) return MadeOf::bonds;
   refuse(output, fmt::format("no quantity \"{}\"", output.of),
          "name a column of particles.csv or bonds.csv, energy, work or apparent_young");
+}
+
+double effective_value(const Output& output, const std::optional<EffectiveStiffness>& effective) {
+  if (!effective)
+    refuse(output, fmt::format("{} needs a static solve of six strains of a periodic cell", output.of),
+           "add [cell], periodic in all directions, and no loads");
+  return find_effective_quantity(output.of)->of(*effective);
+}
+
+double stress_value(const Output& output, const State& state) {
+  const StressQuantity& quantity = *find_stress_quantity(output.of);
+  const double value = state.stress(quantity.row, quantity.column);
+  if (std::isnan(value))
+    refuse(output, fmt::format("{} needs a periodic cell", output.of), "add [cell], or ask for a reaction");
+  return value;
 }
 
 double reduce(const Output& output, std::vector<double> values) {
@@ -69,6 +87,10 @@ double quantity_of(const Output& output, const Model& model, const State& state)
       return state.energy;
     case MadeOf::work:
       return state.work;
+    case MadeOf::stress:
+      return stress_value(output, state);
+    case MadeOf::effective:
+      return effective_value(output, std::nullopt);
     case MadeOf::platens:
       return apparent_young(model, state, output);
     case MadeOf::particles: {
@@ -96,6 +118,10 @@ const std::vector<Quantity>& output_quantities() {
       all.push_back({quantity.name, Quantity::Where::bond, quantity.meaning});
     all.push_back({"energy", Quantity::Where::model, "strain energy of all bonds"});
     all.push_back({"work", Quantity::Where::model, "work of the loads and of moved supports"});
+    for (const StressQuantity& quantity : stress_quantities())
+      all.push_back({quantity.name, Quantity::Where::model, quantity.meaning});
+    for (const EffectiveQuantity& quantity : effective_quantities())
+      all.push_back({quantity.name, Quantity::Where::model, quantity.meaning});
     all.push_back({"apparent_young", Quantity::Where::model,
                    "F H / (A d) of a specimen between the platens `base` and `at`"});
     return all;
@@ -124,7 +150,12 @@ std::vector<OutputValue> evaluate_outputs(const Model& model, const StaticSoluti
                                           const std::vector<Output>& outputs) {
   std::vector<const State*> states;
   for (const State& state : solution.cases) states.push_back(&state);
-  return evaluate_outputs(model, states, outputs);
+  std::vector<OutputValue> values;
+  for (const Output& output : outputs)
+    values.push_back(made_of(output) == MadeOf::effective
+                         ? told(output, effective_value(output, solution.effective))
+                         : evaluate_outputs(model, states, {output}).front());
+  return values;
 }
 
 }  // namespace bondstatic

@@ -1,5 +1,5 @@
-#include "results/largest_place.hpp"
 #include "io/message.hpp"
+#include "results/largest_place.hpp"
 #include "results/ranked_outputs.hpp"
 
 namespace bondstatic {

@@ -4,8 +4,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "results/inquiry.hpp"
 #include "io/message.hpp"
+#include "results/inquiry.hpp"
 
 namespace bondstatic {
 
@@ -63,10 +63,12 @@ class Gathered {
 OutputValue ask(const Output& output, const Piece& piece, const StaticSolution& solution, Ranks& ranks) {
   std::vector<const State*> states;
   for (const State& state : solution.cases) states.push_back(&state);
-  const State& state = load_case_of(output, states);
   const MadeOf made = made_of(output);
+  if (made == MadeOf::effective) return told(output, effective_value(output, solution.effective));
+  const State& state = load_case_of(output, states);
   if (made == MadeOf::energy) return told(output, state.energy);
   if (made == MadeOf::work) return told(output, state.work);
+  if (made == MadeOf::stress) return told(output, stress_value(output, state));
 
   const auto load_case = std::size_t(std::find(states.begin(), states.end(), &state) - states.begin());
   const std::vector<Index> places = places_of(output);

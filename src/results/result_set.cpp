@@ -28,8 +28,8 @@ std::string prefix_of(const std::vector<std::string>& load_cases, const std::str
   return folder.empty() ? "" : folder + "/";
 }
 
-std::vector<std::string> earlier_files(const std::string& folder) {
-  std::ifstream stream(fs::path(folder) / "summary.json");
+std::vector<std::string> earlier_files(const std::string& folder, const char* listed_in) {
+  std::ifstream stream(fs::path(folder) / listed_in);
   if (!stream) return {};
   const nlohmann::json summary = nlohmann::json::parse(stream, nullptr, false);
   if (!summary.is_object() || !summary.contains("bondstatic") || !summary.contains("files")) return {};

@@ -13,8 +13,9 @@ namespace bondstatic {
 /// "" or the folder of a load case with a slash behind it.
 std::string prefix_of(const std::vector<std::string>& load_cases, const std::string& load_case);
 
-/// What the summary.json of an earlier run lists; nothing where there is none, or none of ours.
-std::vector<std::string> earlier_files(const std::string& folder);
+/// What the summary.json of an earlier run lists, or another file of ours with such a list; nothing where
+/// there is none, or none of ours.
+std::vector<std::string> earlier_files(const std::string& folder, const char* listed_in = "summary.json");
 
 inline constexpr const char* particle_table = "particles.csv";
 inline constexpr const char* bond_table = "bonds.csv";

@@ -28,12 +28,39 @@ Json accuracy_of(const Accuracy& accuracy) {
           {"energy_balance", accuracy.energy_balance}};
 }
 
+template <class Matrix>
+Json rows_of(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (int i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (int j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json effective_of(const EffectiveStiffness& effective) {
+  return {{"order", {"xx", "yy", "zz", "yz", "xz", "xy"}},
+          {"volume", effective.volume},
+          {"stiffness", rows_of(effective.stiffness)},
+          {"asymmetry", effective.asymmetry},
+          {"voigt_bound", rows_of(effective.voigt)},
+          {"isotropic",
+           {{"young", effective.isotropic.young},
+            {"poisson", effective.isotropic.poisson},
+            {"misfit", effective.isotropic.misfit}}}};
+}
+
 Json load_cases_of(const ModelFacts& model, const StaticSolution& solution,
                    const std::vector<LargestDisplacement>& largest) {
   Json cases = Json::array();
   for (std::size_t c = 0; c < solution.cases.size(); ++c) {
     Json one = state_of(model.load_cases, solution.cases[c], largest[c]);
     one["accuracy"] = accuracy_of(solution.cases[c].accuracy);
+    if (!solution.cases[c].stress.hasNaN()) {
+      one["strain"] = rows_of(solution.cases[c].strain);
+      one["stress"] = rows_of(solution.cases[c].stress);
+    }
     cases.push_back(std::move(one));
   }
   return cases;
@@ -71,7 +98,7 @@ std::string summary_json(const ModelFacts& model, const RunInfo& run, const Stat
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   Json counts = counts_of(model);
   counts["unknowns"] = report.analysis.unknowns;
-  return to_text(Json{
+  Json summary{
       {"title", run.title},
       {"bondstatic", version()},
       {"case", run.file},
@@ -85,7 +112,9 @@ std::string summary_json(const ModelFacts& model, const RunInfo& run, const Stat
       {"memory", {{"predicted_bytes", report.analysis.predicted_bytes}, {"peak_bytes", report.peak_bytes}}},
       {"dropped", report.dropped},
       {"warnings", warnings},
-      {"files", files}});
+      {"files", files}};
+  if (solution.effective) summary["effective_stiffness"] = effective_of(*solution.effective);
+  return to_text(summary);
 }
 
 std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,

@@ -57,8 +57,11 @@ class Multigrid final : public LinearSolver {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) override {
     Eigen::MatrixXd answer(right_hand_sides.rows(), right_hand_sides.cols());
     report_ = {};
-    for (Index column = 0; column < right_hand_sides.cols(); ++column)
+    for (Index column = 0; column < right_hand_sides.cols(); ++column) {
+      iterations_ = 0;
       answer.col(column) = solve_one(right_hand_sides.col(column));
+      report_.iterations = std::max(report_.iterations, iterations_);
+    }
     return answer;
   }
 
@@ -77,7 +80,7 @@ class Multigrid final : public LinearSolver {
       const Convergence in_float = flexible_cg(*single_, {1e-6, 150, 20}, threads_, r, x);
       if (in_float.reached) return to_unknowns(x, in_float, *single_);
       report_.note = fmt::format("went over to double precision after {} iterations", in_float.iterations);
-      report_.iterations += in_float.iterations;
+      iterations_ += in_float.iterations;
       to_double();
       r = to_rows(b);
     }
@@ -99,7 +102,7 @@ class Multigrid final : public LinearSolver {
   template <class Scalar>
   Eigen::VectorXd to_unknowns(Rows<double>& x, const Convergence& convergence, const Hierarchy<Scalar>& of) {
     refresh(of.levels.front().halo, x);
-    report_.iterations += convergence.iterations;
+    iterations_ += convergence.iterations;
     report_.reduction = std::max(report_.reduction, convergence.reduction);
     report_.reached = report_.reached && convergence.reached;
     const auto& row = plan_.numbering.front().row;
@@ -118,6 +121,7 @@ class Multigrid final : public LinearSolver {
   std::optional<Hierarchy<float>> single_;
   std::optional<Hierarchy<double>> double_;
   SolveReport report_;
+  int iterations_ = 0;  ///< of the column being solved
 };
 
 }  // namespace

@@ -27,11 +27,11 @@ double sign_of(std::uint64_t n) {
 }  // namespace
 
 BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence& incidence,
-                                    const BodyVectors<double>& motion) {
+                                    const BodyVectors<double>& motion, const Matrix3& strain) {
   BodyVectors<double> q(network.links.size());
   for (std::size_t k = 0; k < q.size(); ++k) {
     const Link& link = network.links[k];
-    Vector6 e = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    Vector6 e = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)], strain);
     for (int i = 0; i < 6; ++i) e[i] *= 4 * extended_rounding * sign_of(6 * k + std::uint64_t(i));
     q[k] = resultants<double>(link.stiffness, bond_axis<double>(link), e);
   }
@@ -42,7 +42,7 @@ template <class Scalar>
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
                       const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads) {
   const auto r = residual<Scalar>(network, incidence, boundary, converted<Scalar>(motion), threads);
-  const auto magnitude = force_magnitudes(network, incidence, motion, threads);
+  const auto magnitude = force_magnitudes(network, incidence, motion, threads, boundary.strain);
   constexpr double doubtful = 0x1p-50, noise = 1000 * 0x1p-53;
   Vector6 everywhere = Vector6::Constant(size);
   everywhere.tail<3>() /= network.rotation_length;
@@ -55,7 +55,7 @@ double backward_error(const BondNetwork& network, const Incidence& incidence, co
     const double left = std::abs(double_of(r[p][i]));
     if (left > doubtful * scale) {
       if (largest.empty()) largest.assign(motion.size(), everywhere);
-      const double possible = force_magnitude(network, incidence, largest, Index(p))[i];
+      const double possible = force_magnitude(network, incidence, largest, Index(p), boundary.strain)[i];
       if (scale <= noise * possible) scale += possible;
     }
     worst = std::max(worst, left / scale);

@@ -8,9 +8,9 @@
 namespace bondstatic {
 
 /// Forces that a relative motion of rounding size in every link would need, with random signs: B^T C e with
-/// |e| <= 4 eps |B| |u|. The motion they cause shows what the natural form cannot see of u.
+/// |e| <= 4 eps (|B| |u| + |strain|). The motion they cause shows what the natural form cannot see of u.
 BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence& incidence,
-                                    const BodyVectors<double>& motion);
+                                    const BodyVectors<double>& motion, const Matrix3& strain);
 
 /// Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double. Where
 /// all terms of a row vanish by symmetry but for noise, the row is held against what it could carry where

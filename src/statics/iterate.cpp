@@ -20,6 +20,18 @@ constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residu
 
 }  // namespace
 
+Iterate::Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ranks)
+    : motion(converted<Extended>(boundary.prescribed)) {
+  if (boundary.strain.isZero(0)) return;
+  for (const Link& link : network.links) {
+    const Vector3 apart = boundary.strain * link.branch;
+    least_size = std::max(least_size, apart.lpNorm<Eigen::Infinity>());
+    least_residual = std::max(least_residual, std::max(link.stiffness.kn, link.stiffness.ks) * apart.norm());
+  }
+  least_size = largest_of_all(ranks, least_size);
+  least_residual = largest_of_all(ranks, least_residual);
+}
+
 Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
                                        const Boundary& boundary, const FreeDofs& dofs, bool iterative,
                                        int threads, Ranks* ranks) {
@@ -35,7 +47,7 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Inciden
                         length);
   const double before = residual;
   residual = largest_of_all(ranks, r.head(dofs.first[std::size_t(network.own())]).lpNorm<Eigen::Infinity>());
-  if (steps == 0) first_residual = residual;
+  if (steps == 0) first_residual = std::max(residual, least_residual);
   force_contraction = before > 0 ? residual / before : 1;
   return r;
 }
@@ -50,7 +62,7 @@ void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double leng
     motion[p][i] += Extended(step[unknown]) / scale;
     size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
   });
-  size = largest_of_all(ranks, size);
+  size = std::max(largest_of_all(ranks, size), least_size);
   setbacks = steps > 0 && (contraction > 0.5 || correction == 0) ? setbacks + 1 : 0;
   ++steps;
 }
@@ -83,8 +95,9 @@ void Iterate::judge_iterative(const SolveReport& last) {
         correction / size, steps, last.iterations, last.reduction));
   // The second round is left out of account: its residual was formed in double.
   const bool settled = steps > 2 && contraction < 0.5;
-  done = residual == 0 || (settled && contraction * correction <= last_digit * size &&
-                           force_contraction * residual <= force_rounding * first_residual);
+  done = residual == 0 || correction <= extended_rounding * size ||
+         (settled && contraction * correction <= last_digit * size &&
+          force_contraction * residual <= force_rounding * first_residual);
 }
 
 void Iterate::drop_negligible(const FreeDofs& dofs, double length, double noise) {

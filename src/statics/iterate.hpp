@@ -16,10 +16,16 @@ struct Iterate {
   double force_contraction = 1;             ///< of the residual, by the latest round
   double correction = 0;                    ///< largest entry of the last one, rotations times the length
   double contraction = 1;                   ///< of corrections, by the latest round
-  double size = 0;                          ///< largest entry of the answer, likewise
+  double size = 0;                          ///< largest entry of the answer, likewise, or `least_size`
+  /// What the strain of a periodic cell alone moves the ends of a bond apart, and the largest force that
+  /// takes: the particles of a lattice do nothing beyond the strain, and rounding is judged by these.
+  double least_size = 0, least_residual = 0;
   int steps = 0;
   int setbacks = 0;  ///< rounds in a row that did not contract
   bool done = false;
+
+  /// At prescribed values.
+  Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ranks);
 
   /// The right-hand side of the next correction; on several ranks, of own bodies.
   Eigen::VectorXd next_residual(const BondNetwork& network, const Incidence& incidence,

@@ -22,7 +22,8 @@ OutsideForces::OutsideForces(const Model& model, Index own, Ranks* ranks) : mode
 void OutsideForces::add(std::size_t p, const Vector6T<Extended>& outside, const Vector6T<Extended>& motion) {
   for (int i = 0; i < 6; ++i) work_ += outside[i] * motion[i];
   const Vector3T<Extended> f = outside.head<3>(), m = outside.tail<3>();
-  const Vector3T<Extended> arm = model_.particles[p].position.cast<Extended>() - centre_;
+  Vector3T<Extended> arm = Vector3T<Extended>::Zero();
+  if (!model_.cell) arm = model_.particles[p].position.cast<Extended>() - centre_;
   force_ += f;
   moment_ += arm.cross(f) + m;
   forces_ += f.norm();

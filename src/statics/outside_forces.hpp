@@ -22,6 +22,9 @@ class OutsideForces {
   /// |sum| over the sum of the magnitudes; moments about the mean particle centre.
   double force_balance() const;
   double moment_balance() const;
+  /// Their sum and that of their magnitudes; in a periodic cell each about its own particle.
+  const Vector3T<Extended>& moment() const { return moment_; }
+  const Extended& moments() const { return moments_; }
 
  private:
   const Model& model_;

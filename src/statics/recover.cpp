@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/cell.hpp"
 #include "statics/outside_forces.hpp"
 #include "system/together.hpp"
 
@@ -42,14 +43,21 @@ BondResult bond_result(const Carried& carried, const Extended3& axis, double rad
   return result;
 }
 
-/// What one bond carries; adds nothing up, so that many can be formed at once. Returns its energy.
-Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
-               const std::vector<Vector6>& displacement, BondResult& found) {
+/// What is added up over the bonds: strain energy, and force times branch.
+struct Sums {
+  Extended energy = 0.0;
+  Eigen::Matrix<Extended, 3, 3> force_branch = Eigen::Matrix<Extended, 3, 3>::Zero();
+};
+
+/// What one bond carries; adds nothing up, so that many can be formed at once. `motion` is that beyond the
+/// strain of a periodic cell.
+Sums carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
+           const Matrix3& strain, bool periodic, BondResult& found) {
   const auto a = std::size_t(link.a), b = std::size_t(link.b);
   const Extended3 axis = bond_axis<Extended>(link);
-  const Extended6 delta = relative_motion<Extended>(link, motion[a], motion[b]);
+  const Extended6 delta = link_motion<Extended>(link, motion, strain);
   const Extended6 q = resultants<Extended>(link.stiffness, axis, delta);
-  const Vector6 moved = motion_magnitude(link, displacement[a], displacement[b]);
+  const Vector6 moved = motion_magnitude(link, motion[a].cast<double>(), motion[b].cast<double>(), strain);
   const Vector6 magnitude = resultant_magnitude(bond.stiffness, axis.cast<double>(), moved);
   // With torque feedback off the bond still carries moments that equilibrium does not see.
   const Carried carried{bond.moments_fed_back ? q : resultants<Extended>(bond.stiffness, axis, delta),
@@ -58,7 +66,49 @@ Extended carry(const Link& link, const BondProperties& bond, const BodyVectors<E
   const Extended energy = 0.5 * delta.dot(q);
   // Quadratic in the motion, so that its rounding is that of the motion squared.
   found.energy = settled(energy, negligible * magnitude.dot(moved));
-  return energy;
+  Sums sums{energy};
+  if (periodic)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) sums.force_branch(i, j) = q[i] * link.branch[j];
+  return sums;
+}
+
+/// With what the strain of a periodic cell adds.
+Vector6 whole_motion(const Model& model, const Matrix3& strain, std::size_t p, const Extended6& beyond) {
+  if (strain.isZero(0)) return beyond.cast<double>();
+  const Vector3 from_origin = model.particles[p].position - model.cell->origin;
+  Extended6 whole = beyond;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) whole[i] += Extended(strain(i, j)) * from_origin[j];
+  return whole.cast<double>();
+}
+
+Extended strain_work(const Eigen::Matrix<Extended, 3, 3>& force_branch, const Matrix3& strain) {
+  Extended work = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) work += force_branch(i, j) * strain(i, j);
+  return work;
+}
+
+/// Round a cell there are no lever arms to take moments by: what acts on the particles from outside, about
+/// their own centres, balances the moments of all bonds, branch x force.
+double moment_balance_of_cell(const OutsideForces& outside,
+                              const Eigen::Matrix<Extended, 3, 3>& force_branch) {
+  Vector3T<Extended> sum = outside.moment();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    sum[i] += force_branch(k, j) - force_branch(j, k);
+  }
+  return ratio(sum.norm(), outside.moments() + force_branch.norm());
+}
+
+/// Symmetric where every particle's moments balance, but for rounding.
+Matrix3 mean_stress(const Eigen::Matrix<Extended, 3, 3>& force_branch, const Cell& cell) {
+  const Extended twice = 2.0 * volume(cell);
+  Matrix3 stress;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) stress(i, j) = to_double((force_branch(i, j) + force_branch(j, i)) / twice);
+  return stress;
 }
 
 }  // namespace
@@ -74,31 +124,36 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
   result.displacement.resize(particles);
   result.reaction.assign(particles, Vector6::Zero());
   result.bonds.resize(std::size_t(bonds));
+  const Matrix3& strain = result.strain = boundary.strain;
   for (std::size_t p = 0; p < particles; ++p)
     result.displacement[p] =
-        left_out[p] ? Vector6(Vector6::Constant(not_given)) : Vector6(motion[p].cast<double>());
+        left_out[p] ? Vector6(Vector6::Constant(not_given)) : whole_motion(model, strain, p, motion[p]);
 
-  // The energy is summed in the order of the bonds whatever the threads, a block at a time.
+  // Sums in the order of the bonds whatever the threads, a block at a time.
   constexpr Index block = 1 << 14;
-  std::vector<Extended> energies(std::size_t(std::min(block, bonds)));
-  Extended energy = 0.0;
+  std::vector<Sums> of_bond(std::size_t(std::min(block, bonds)));
+  Sums sums;
   for (Index first = 0; first < bonds; first += block) {
     const Index last = std::min(bonds, first + block);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
     for (Index k = first; k < last; ++k) {
       const Link& link = network.links[std::size_t(k)];
       BondResult& found = result.bonds[std::size_t(k)];
-      Extended& own = energies[std::size_t(k - first)];
+      Sums& own = of_bond[std::size_t(k - first)];
       if (left_out[std::size_t(link.a)])
-        found = left_out_bond(), own = 0.0;
+        found = left_out_bond(), own = {};
       else
-        own = carry(link, properties[std::size_t(k)], motion, result.displacement, found);
+        own = carry(link, properties[std::size_t(k)], motion, strain, model.cell.has_value(), found);
     }
-    for (Index k = first; k < last; ++k)
-      if (network.owns(network.links[std::size_t(k)])) energy += energies[std::size_t(k - first)];
+    for (Index k = first; k < last; ++k) {
+      if (!network.owns(network.links[std::size_t(k)])) continue;
+      sums.energy += of_bond[std::size_t(k - first)].energy;
+      if (model.cell) sums.force_branch += of_bond[std::size_t(k - first)].force_branch;
+    }
   }
 
   constexpr std::uint8_t all_free = 0x3f;
+  const BodyVectors<double> rounded = converted<double>(motion);
   const auto own = std::size_t(network.own());
   OutsideForces all(model, network.own(), ranks);
   for (std::size_t p = 0; p < particles; ++p) {
@@ -110,8 +165,9 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
     // Where nothing is prescribed the outside force is the load; B^T q equals it only to the residual.
     Extended6 outside = boundary.load[p].cast<Extended>();
     if ((boundary.free[p] & all_free) != all_free) {
-      const Extended6 internal = force_on_body<Extended>(network, incidence, motion, Index(p));
-      const Vector6 magnitude = force_magnitude(network, incidence, result.displacement, Index(p));
+      const Extended6 internal = force_on_body<Extended>(network, incidence, motion, Index(p), strain);
+      const Vector6 magnitude =
+          force_magnitude(network, incidence, rounded, Index(p), strain);
       for (int i = 0; i < 6; ++i) {
         if ((boundary.free[p] >> i) & 1) continue;
         const double load = boundary.load[p][i];
@@ -124,12 +180,19 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
     all.add(p, outside, motion[p]);
   }
   all.add_up(ranks);
-  add_up(ranks, {&energy, 1});
-  result.energy = to_double(energy);
-  result.work = to_double(all.work());
-  result.accuracy.energy_balance = ratio(abs(2.0 * energy - all.work()), 2.0 * energy);
+  add_up(ranks, {&sums.energy, 1});
+  Extended work = all.work();
+  if (model.cell) {
+    add_up(ranks, {sums.force_branch.data(), 9});
+    work += strain_work(sums.force_branch, strain);
+    result.stress = mean_stress(sums.force_branch, *model.cell);
+  }
+  result.energy = to_double(sums.energy);
+  result.work = to_double(work);
+  result.accuracy.energy_balance = ratio(abs(2.0 * sums.energy - work), 2.0 * sums.energy);
   result.accuracy.force_balance = all.force_balance();
-  result.accuracy.moment_balance = all.moment_balance();
+  result.accuracy.moment_balance =
+      model.cell ? moment_balance_of_cell(all, sums.force_branch) : all.moment_balance();
   return result;
 }
 

@@ -17,9 +17,8 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
                                    const std::function<void(const std::string&)>& progress, Ranks* ranks) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
-  std::vector<Iterate> iterates(cases.size());
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    iterates[c].motion = converted<Extended>(cases[c]->prescribed);
+  std::vector<Iterate> iterates;
+  for (const Boundary* boundary : cases) iterates.emplace_back(network, *boundary, ranks);
 
   Eigen::MatrixXd right_hand_sides(dofs.unknowns(), Index(cases.size()));
   const auto all_done = [&] {
@@ -56,7 +55,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
     answers.push_back(converted<double>(iterates[c].motion));
     if (!iterative)
       right_hand_sides.col(Index(c)) =
-          to_unknowns(rounding_forces(network, incidence, answers[c]), dofs, length);
+          to_unknowns(rounding_forces(network, incidence, answers[c], cases[c]->strain), dofs, length);
   }
   // What an iterative solver leaves is far above the rounding of the natural form: one solve is saved.
   if (solver && !iterative) right_hand_sides = solver->solve(right_hand_sides);

@@ -1,4 +1,4 @@
-// r = f - B^T C B u by body, bond by bond in natural form.
+// r = f - B^T C (B u + strain) by body, bond by bond in natural form.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ BodyVectors<Scalar> residual(const BondNetwork& network, const Incidence& incide
   BodyVectors<Scalar> r = converted<Scalar>(boundary.load);
   // Nearly always so at the start.
   const auto at_rest = [](const Vector6T<Scalar>& u) { return u.isZero(Scalar(0.0)); };
-  if (std::all_of(motion.begin(), motion.end(), at_rest)) return r;
-  const auto q = link_resultants<Scalar>(network, motion, threads);
+  if (boundary.strain.isZero(0) && std::all_of(motion.begin(), motion.end(), at_rest)) return r;
+  const auto q = link_resultants<Scalar>(network, motion, threads, boundary.strain);
   const auto carried = gather_forces<Scalar>(network, incidence, q, threads);
   for (std::size_t p = 0; p < r.size(); ++p) r[p] -= carried[p];
   return r;

@@ -7,6 +7,7 @@
 #include "bondstatic/statics.hpp"
 #include "solver/machine.hpp"
 #include "statics/choose.hpp"
+#include "statics/effective_stiffness.hpp"
 #include "statics/held.hpp"
 #include "statics/held_on_ranks.hpp"
 #include "statics/partners.hpp"
@@ -121,8 +122,7 @@ StaticSolution solve(const Model& model, const Partners* partners, const StaticO
     const FreeDofs& dofs = group.held.dofs;
     report.dropped.insert(report.dropped.end(), group.held.dropped.begin(), group.held.dropped.end());
     for (const std::size_t c : group.cases) {
-      const std::string lost =
-          lost_loads(network, group.held, boundaries[c], model.load_cases[c], ranks);
+      const std::string lost = lost_loads(network, group.held, boundaries[c], model.load_cases[c], ranks);
       if (!lost.empty()) report.warnings.push_back(lost);
     }
 
@@ -176,6 +176,10 @@ StaticSolution solve(const Model& model, const Partners* partners, const StaticO
       }
     });
   }
+  // 7. A periodic cell's stresses under six strains are its stiffness.
+  solution.effective =
+      effective_stiffness(model, network, boundaries, groups.front().held.left_out, solution);
+
   // What several groups of load cases leave out is said once.
   std::sort(report.dropped.begin(), report.dropped.end());
   report.dropped.erase(std::unique(report.dropped.begin(), report.dropped.end()), report.dropped.end());

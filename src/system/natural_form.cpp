@@ -25,20 +25,21 @@ Vector6 resultant_magnitude(const SectionStiffness& c, const Vector3& axis, cons
   return q;
 }
 
-Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b) {
+Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b, const Matrix3& strain) {
   const Vector6 a = at_a.cwiseAbs(), b = at_b.cwiseAbs();
   const Vector3 lever = std::abs(link.fraction) * a.tail<3>() + std::abs(1 - link.fraction) * b.tail<3>();
   Vector6 m = a + b;
-  m.head<3>() += cross_magnitude(link.branch.cwiseAbs(), lever);
+  m.head<3>() += cross_magnitude(link.branch.cwiseAbs(), lever) + strain.cwiseAbs() * link.branch.cwiseAbs();
   return m;
 }
 
 Vector6 force_magnitude(const BondNetwork& network, const Incidence& incidence,
-                        const BodyVectors<double>& motion, Index body) {
+                        const BodyVectors<double>& motion, Index body, const Matrix3& strain) {
   Vector6 sum = Vector6::Zero();
   for (const Index k : incidence.of(body)) {
     const Link& link = network.links[std::size_t(k)];
-    const Vector6 m = motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+    const Vector6 m =
+        motion_magnitude(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)], strain);
     const Vector6 q = resultant_magnitude(link.stiffness, bond_axis<double>(link), m);
     const double share = link.a == body ? link.fraction : 1 - link.fraction;
     sum += q;
@@ -48,12 +49,12 @@ Vector6 force_magnitude(const BondNetwork& network, const Incidence& incidence,
 }
 
 BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence& incidence,
-                                     const BodyVectors<double>& motion, int threads) {
+                                     const BodyVectors<double>& motion, int threads, const Matrix3& strain) {
   BodyVectors<double> magnitude(std::size_t(network.bodies));
 #pragma omp parallel for schedule(static) \
     num_threads(threads) if (threads > 1 && network.bodies > worth_threads)
   for (Index p = 0; p < network.bodies; ++p)
-    magnitude[std::size_t(p)] = force_magnitude(network, incidence, motion, p);
+    magnitude[std::size_t(p)] = force_magnitude(network, incidence, motion, p, strain);
   return magnitude;
 }
 

@@ -23,32 +23,42 @@ BodyVectors<To> converted(const BodyVectors<From>& values) {
   return result;
 }
 
-/// q = C B u of every link, global axes.
+/// delta of a link in a periodic cell: `motion` is what the bodies do beyond the cell's mean strain, which
+/// moves the two ends apart by strain times branch.
+template <class Scalar>
+Vector6T<Scalar> link_motion(const Link& link, const BodyVectors<Scalar>& motion, const Matrix3& strain) {
+  auto delta = relative_motion<Scalar>(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
+  if (!strain.isZero(0))
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) delta[i] += Scalar(strain(i, j)) * link.branch[j];
+  return delta;
+}
+
+/// q = C (B u + strain) of every link, global axes.
 template <class Scalar>
 BodyVectors<Scalar> link_resultants(const BondNetwork& network, const BodyVectors<Scalar>& motion,
-                                    int threads) {
+                                    int threads, const Matrix3& strain = Matrix3::Zero()) {
   const Index count = Index(network.links.size());
   BodyVectors<Scalar> q(network.links.size());
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && count > worth_threads)
   for (Index k = 0; k < count; ++k) {
     const Link& link = network.links[std::size_t(k)];
-    const auto delta =
-        relative_motion<Scalar>(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
-    q[std::size_t(k)] = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link), delta);
+    q[std::size_t(k)] = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link),
+                                           link_motion<Scalar>(link, motion, strain));
   }
   return q;
 }
 
-/// B^T C B u at one body: the force that must act on it from outside.
+/// B^T C (B u + strain) at one body: the force that must act on it from outside.
 template <class Scalar>
 Vector6T<Scalar> force_on_body(const BondNetwork& network, const Incidence& incidence,
-                               const BodyVectors<Scalar>& motion, Index body) {
+                               const BodyVectors<Scalar>& motion, Index body,
+                               const Matrix3& strain = Matrix3::Zero()) {
   Vector6T<Scalar> sum = Vector6T<Scalar>::Zero();
   for (const Index k : incidence.of(body)) {
     const Link& link = network.links[std::size_t(k)];
-    const auto delta =
-        relative_motion<Scalar>(link, motion[std::size_t(link.a)], motion[std::size_t(link.b)]);
-    const auto q = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link), delta);
+    const auto q = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link),
+                                      link_motion<Scalar>(link, motion, strain));
     sum -= link.a == body ? force_on_a<Scalar>(link, q) : force_on_b<Scalar>(link, q);
   }
   return sum;
@@ -73,17 +83,20 @@ BodyVectors<Scalar> gather_forces(const BondNetwork& network, const Incidence& i
   return force;
 }
 
-/// Sum over the links of |B^T| |C| |B| |u|, taken component by component in global axes: what the terms of
-/// B^T C B u would add up to if none cancelled.
+/// Sum over the links of |B^T| |C| (|B| |u| + |strain|), taken component by component in global axes: what
+/// the terms would add up to if none cancelled.
 BodyVectors<double> force_magnitudes(const BondNetwork& network, const Incidence& incidence,
-                                     const BodyVectors<double>& motion, int threads);
+                                     const BodyVectors<double>& motion, int threads,
+                                     const Matrix3& strain = Matrix3::Zero());
 
 /// The same at one body.
 Vector6 force_magnitude(const BondNetwork& network, const Incidence& incidence,
-                        const BodyVectors<double>& motion, Index body);
+                        const BodyVectors<double>& motion, Index body,
+                        const Matrix3& strain = Matrix3::Zero());
 
-/// |B| |u| of a link: relative displacement and rotation without cancellation.
-Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b);
+/// |B| |u| + |strain| of a link: relative displacement and rotation without cancellation.
+Vector6 motion_magnitude(const Link& link, const Vector6& at_a, const Vector6& at_b,
+                         const Matrix3& strain = Matrix3::Zero());
 
 /// |C| |delta|, component by component in global axes, of a relative motion given by its magnitudes.
 Vector6 resultant_magnitude(const SectionStiffness& stiffness, const Vector3& axis, const Vector6& motion);

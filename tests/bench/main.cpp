@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/exchange.hpp"
 #include "bench/million.hpp"
 #include "bench/ranks.hpp"
 #include "bench/residual.hpp"
@@ -23,6 +24,8 @@ constexpr const char* usage =
     "    run residual [--packing NAME]... [--particles N]\n"
     "                                         multigrid and PETSc's GAMG to the same true residual\n"
     "    run million [--particles N] [--keep] the program on a million particles, from case file to results\n"
+    "    run exchange [--particles N]...      import of LAMMPS data files, bonds by contact radius, of "
+    "growing size\n"
     "    run ranks [--particles N] [--ranks N]... [--solver NAME]...\n"
     "                                         the program on MPI ranks against itself in one process\n"
     "    run busy                             of the first tables, solves beside busy processes\n";
@@ -103,6 +106,16 @@ void run_million(Arguments& arguments) {
   print_million(asked);
 }
 
+void run_exchange(Arguments& arguments) {
+  std::vector<Index> sizes;
+  for (Index number = 0; !arguments.empty();) {
+    if (!arguments.take("--particles", number)) arguments.refuse();
+    sizes.push_back(number);
+  }
+  if (sizes.empty()) sizes = {125'000, 250'000, 500'000, 1'000'000};
+  print_exchange(sizes);
+}
+
 void run_ranks(Arguments& arguments) {
   OnRanks asked;
   Index number = 0;
@@ -121,6 +134,7 @@ void run(Arguments& arguments) {
   if (arguments.take("solvers")) return run_solvers(arguments);
   if (arguments.take("residual")) return run_residual(arguments);
   if (arguments.take("million")) return run_million(arguments);
+  if (arguments.take("exchange")) return run_exchange(arguments);
   if (arguments.take("ranks")) return run_ranks(arguments);
   const bool busy_only = arguments.take("busy");
   if (!arguments.empty()) arguments.refuse();

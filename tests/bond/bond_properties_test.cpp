@@ -54,6 +54,28 @@ TEST(BondProperties, UseTheBlocksContactPoint) {
   EXPECT_NEAR(bond_properties(model)[0].fraction, 0.5 * (0.25 + 0.02) / 0.25, 1e-15);
 }
 
+TEST(BondProperties, LetABondsOwnContactPointBeatItsBlocks) {
+  Model model = chain("timoshenko", beam);
+  model.blocks[0].contact_point = {ContactPoint::Kind::fraction, 0.25};
+  model.blocks[0].fractions = {0.75, not_given, 0.5};
+  const auto found = bond_properties(model);
+  EXPECT_EQ(found[0].fraction, 0.75);
+  EXPECT_EQ(found[1].fraction, 0.25);
+  EXPECT_EQ(found[2].fraction, 0.5);
+}
+
+TEST(BondProperties, MoveTheStiffnessOfASteppedSectionToABondsOwnContactPoint) {
+  Model model = chain("two-segment", beam, 2);
+  model.particles[1].radius = 0.05;
+  Model moved = model;
+  moved.blocks[0].contact_point = {ContactPoint::Kind::fraction, 0.3};
+  model.blocks[0].fractions = {0.3, not_given};
+  const auto own = bond_properties(model), block = bond_properties(moved);
+  EXPECT_EQ(own[0].stiffness.coupling, block[0].stiffness.coupling);
+  EXPECT_EQ(own[0].stiffness.kb, block[0].stiffness.kb);
+  EXPECT_NE(own[1].fraction, block[1].fraction);
+}
+
 TEST(BondProperties, FollowTheBlockOfEachBond) {
   Model model = chain("timoshenko", beam);
   model.blocks.push_back({.law = "contact", .parameters = {7, 3}, .contact_point = {}, .overrides = {}});

@@ -158,8 +158,18 @@ TEST(Dynamics, SolveReadsItToo) {
 }
 
 TEST(Dynamics, ReservedBlocksAreWarningsHereToo) {
-  EXPECT_THAT(read_for_dynamics(heavy_case("[cell]")).warnings,
-              ElementsAre(HasSubstr("[cell] is not used by a run through time")));
+  EXPECT_THAT(read_for_dynamics(heavy_case("[fracture]")).warnings,
+              ElementsAre(HasSubstr("[fracture] is not used by a run through time")));
+}
+
+TEST(Dynamics, KnowsNoPeriodicCell) {
+  try {
+    read_for_dynamics(heavy_case("[cell]\nsize = [100, 100, 100]"));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    ASSERT_FALSE(error.faults().empty());
+    EXPECT_THAT(error.faults()[0].message, HasSubstr("knows no periodic cell"));
+  }
 }
 
 TEST(ResolvedDynamics, ReadsAsTheSameOptionsBitForBit) {

@@ -10,9 +10,9 @@
 #include "bondstatic/bond_law.hpp"
 #include "bondstatic/case_file.hpp"
 #include "bondstatic/error.hpp"
-#include "case/id_table.hpp"
-#include "case/pair_set.hpp"
 #include "case/same_model.hpp"
+#include "io/id_table.hpp"
+#include "io/pair_set.hpp"
 #include "io/scratch_folder.hpp"
 
 namespace bondstatic::test {

@@ -33,7 +33,7 @@ inline void expect_same(const Model& left, const Model& right) {
     const BondBlock &l = left.blocks[i], &r = right.blocks[i];
     ASSERT_EQ(l.overrides.size(), r.overrides.size());
     bool equal = l.law == r.law && same_vector(l.parameters, r.parameters) &&
-                 l.contact_point.kind == r.contact_point.kind &&
+                 same_vector(l.fractions, r.fractions) && l.contact_point.kind == r.contact_point.kind &&
                  same(l.contact_point.value, r.contact_point.value);
     for (const auto& [parameter, values] : l.overrides)
       equal = equal && r.overrides.count(parameter) && same_vector(values, r.overrides.at(parameter));
@@ -46,6 +46,15 @@ inline void expect_same(const Model& left, const Model& right) {
                 l.block == r.block && l.in_block == r.in_block)
         << "bond " << i;
   }
+  ASSERT_EQ(left.cell.has_value(), right.cell.has_value());
+  if (left.cell) {
+    ASSERT_TRUE(left.cell->origin == right.cell->origin && left.cell->edges == right.cell->edges &&
+                left.cell->periodic == right.cell->periodic);
+  }
+  ASSERT_EQ(left.strains.size(), right.strains.size());
+  for (std::size_t i = 0; i < left.strains.size(); ++i)
+    ASSERT_TRUE(left.strains[i].value == right.strains[i].value &&
+                left.strains[i].load_case == right.strains[i].load_case);
   ASSERT_EQ(left.supports.size(), right.supports.size());
   for (std::size_t i = 0; i < left.supports.size(); ++i) {
     const Support &l = left.supports[i], &r = right.supports[i];

@@ -92,6 +92,17 @@ TEST_P(SameBits, AfterSavingAndLoadingAtAnyStep) {
   }
 }
 
+TEST_P(SameBits, WithContactPointsBondByBondAsWithOneOfTheBlock) {
+  Model of_block = large_packing(5), bond_by_bond = of_block;
+  of_block.blocks[0].contact_point = {ContactPoint::Kind::fraction, 0.375};
+  bond_by_bond.blocks[0].contact_point = {ContactPoint::Kind::gap};
+  bond_by_bond.blocks[0].fractions.assign(of_block.bonds.size(), 0.375);
+  ExplicitRun expected = explicit_run(of_block, options(1)), found = explicit_run(bond_by_bond, options(1));
+  expected.advance(steps);
+  found.advance(steps);
+  EXPECT_TRUE(found.save() == expected.save());
+}
+
 INSTANTIATE_TEST_SUITE_P(Dynamics, SameBits,
                          ::testing::Values(Kind{Kinematics::small, false}, Kind{Kinematics::small, true},
                                            Kind{Kinematics::finite, false}, Kind{Kinematics::finite, true}));

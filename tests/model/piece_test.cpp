@@ -22,6 +22,7 @@ Model packing(std::mt19937_64& random) {
     bond.block = k % 3 == 0;
     bond.in_block = count[std::size_t(bond.block)]++;
     if (bond.block == 1) model.blocks[1].overrides[0].push_back(1e9 + double(k));
+    if (bond.block == 1) model.blocks[1].fractions.push_back(1 / (1 + double(k)));
   }
   model.load_cases = {"one", "two"};
   for (Index p = 0; p < 16; ++p) fix_all(model, p);
@@ -85,6 +86,10 @@ TEST_P(APieceOf, HasTheBondsOfItsParticlesAndOwnsEachOnce) {
         EXPECT_EQ(
             piece.model.blocks[std::size_t(here.block)].overrides.at(parameter)[std::size_t(here.in_block)],
             column[std::size_t(there.in_block)]);
+      if (here.block == 1) {
+        EXPECT_EQ(piece.model.blocks[1].fractions.at(std::size_t(here.in_block)),
+                  whole.blocks[1].fractions[std::size_t(there.in_block)]);
+      }
       ++holders[std::size_t(piece.bond[k])];
       owners[std::size_t(piece.bond[k])] += piece.owns(here);
     }
@@ -124,6 +129,7 @@ TEST_P(APieceOf, SurvivesAsBytes) {
     const std::string bytes = packed(cut.piece(r));
     EXPECT_EQ(packed(unpacked<Piece>(bytes)), bytes);
     EXPECT_EQ(unpacked<Piece>(bytes).model.blocks[1].overrides, cut.piece(r).model.blocks[1].overrides);
+    EXPECT_EQ(unpacked<Piece>(bytes).model.blocks[1].fractions, cut.piece(r).model.blocks[1].fractions);
   }
 }
 

@@ -56,6 +56,30 @@ TEST(Outputs, ReductionsSkipWhatWasLeftOut) {
   EXPECT_TRUE(std::isnan(evaluated(output_of("uz", {3}))));
 }
 
+TEST(Outputs, StressAndStiffnessAreThoseOfAPeriodicCell) {
+  StaticSolution solution;
+  solution.cases.push_back(test::hand_made_result(""));
+  solution.cases[0].stress << 1, 2, 3, 2, 4, 5, 3, 5, 6;
+  solution.effective.emplace();
+  solution.effective->stiffness = Matrix6::Identity() * 7;
+  solution.effective->stiffness(0, 2) = 8;
+  solution.effective->isotropic = {70, 0.3, 0.01};
+  const auto value = [&](const std::string& of) {
+    return evaluate_outputs(test::hand_made_model(), solution, {output_of(of, {})}).front().value;
+  };
+  EXPECT_EQ(value("stress_yz"), 5);
+  EXPECT_EQ(value("stress_xx"), 1);
+  EXPECT_EQ(value("effective_c44"), 7);
+  EXPECT_EQ(value("effective_c13"), 8);
+  EXPECT_EQ(value("effective_poisson"), 0.3);
+  for (const char* of : {"stress_xx", "effective_young"}) try {
+      evaluated(output_of(of, {}));
+      ADD_FAILURE() << of;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("periodic cell"));
+    }
+}
+
 TEST(Outputs, ScaleMultipliesTheValue) {
   Output output = output_of("uz", {2});
   output.scale = -1e3;
@@ -87,10 +111,14 @@ TEST(Outputs, WithoutOneMeaningAreErrorsThatNameThem) {
 }
 
 TEST(Outputs, EveryListedQuantityCanBeEvaluated) {
+  StaticSolution solution;
+  solution.cases.push_back(test::hand_made_result(""));
+  solution.cases[0].stress.setIdentity();
+  solution.effective.emplace().stiffness.setIdentity();
   for (const Quantity& quantity : output_quantities()) {
     Output output = output_of(quantity.name, {0});
     output.base = {1};
-    EXPECT_NO_THROW(evaluated(output)) << quantity.name;
+    EXPECT_NO_THROW(evaluate_outputs(test::hand_made_model(), solution, {output})) << quantity.name;
     EXPECT_FALSE(quantity.meaning.empty()) << quantity.name;
   }
 }

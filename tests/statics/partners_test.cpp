@@ -6,6 +6,7 @@
 #include "bondstatic/mechanism.hpp"
 #include "io/message.hpp"
 #include "support/models.hpp"
+#include "support/periodic.hpp"
 #include "support/thread_ranks.hpp"
 #include "system/bisection.hpp"
 
@@ -130,6 +131,25 @@ TEST(Partners, FindItHoweverTheModelIsCut) {
   }
   for (const auto& rank_of : {scattered, alone, slices})
     expect_the_same(solve_on(3, model, rank_of, options()), expected);
+}
+
+TEST(Partners, FindTheStiffnessOfAPeriodicCell) {
+  std::mt19937_64 random(11);
+  const Model model =
+      periodic_packing(random, 6, block("timoshenko", {{"young", 1e9}, {"poisson", 0.25}, {"radius", 0.2}}));
+  const StaticSolution expected = solve_statics(model, options());
+  const double size = expected.effective->stiffness.norm();
+  for (const int ranks : {1, 2, 3}) {
+    SCOPED_TRACE(ranks);
+    const Together found = solve_on(ranks, model, bisected(model, ranks), options());
+    EXPECT_LT(apart(found.displacement, expected.cases.front().displacement), 1e-15);
+    for (const StaticSolution& solution : found.by_rank) {
+      EXPECT_LT((solution.effective->stiffness - expected.effective->stiffness).norm(), 1e-14 * size);
+      EXPECT_LT((solution.effective->voigt - expected.effective->voigt).norm(), 1e-14 * size);
+      EXPECT_LT(solution.cases.front().accuracy.energy_balance, 1e-13);
+      EXPECT_LT(solution.cases.front().accuracy.moment_balance, 1e-13);
+    }
+  }
 }
 
 // Rollers, prescribed motion, bonds without moments among others, several bodies, load cases with different

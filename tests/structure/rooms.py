@@ -29,8 +29,8 @@ ROOM_OF_HEADER = {
     "state": "model",
     "network": "system",
     "linear_solver": "solver",
-    "mechanism": "mechanism", "statics": "statics",
-    "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check",
+    "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics",
+    "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare",
     "output": "results", "results": "results",
     "case_file": "case",
 }

@@ -1,0 +1,45 @@
+#include "formats/write/export_formats.hpp"
+
+#include <cmath>
+
+namespace bondstatic {
+
+const std::vector<ExportFormat>& export_formats() {
+  static const std::vector<ExportFormat> formats{
+      {"lammps", "LAMMPS: data file and a runnable input deck (bond_style bpm/rotational)", false, true,
+       write_lammps},
+      {"liggghts", "LIGGGHTS with bonds: data file and commands (bond_style gran)", false, false,
+       write_liggghts},
+      {"csv", "particles.csv, bonds.csv and a case file that reads them", true, false, write_csv_case},
+      {"vtu", "model.vtu for ParaView: radii, supports, loads and stiffnesses", false, false,
+       write_vtu_model},
+  };
+  return formats;
+}
+
+OutputFile& create(FileSet& files, ExportNotes& notes, const std::string& name) {
+  notes.files.push_back(name);
+  return files.create(name);
+}
+
+Vector6 relaxed_motion(const ExportInput& input, std::size_t particle) {
+  const Vector6& motion = input.state->displacement[particle];
+  return motion.allFinite() ? motion : Vector6(Vector6::Zero());
+}
+
+Vector3 relaxed_position(const ExportInput& input, std::size_t particle) {
+  return input.model.particles[particle].position + relaxed_motion(input, particle).head<3>();
+}
+
+Eigen::Quaterniond relaxed_orientation(const ExportInput& input, std::size_t particle) {
+  return turn_of(relaxed_motion(input, particle).tail<3>());
+}
+
+Eigen::Quaterniond turn_of(const Vector3& rotation) {
+  const double angle = rotation.norm();
+  if (angle == 0) return Eigen::Quaterniond::Identity();
+  const Vector3 axis = std::sin(0.5 * angle) / angle * rotation;
+  return {std::cos(0.5 * angle), axis.x(), axis.y(), axis.z()};
+}
+
+}  // namespace bondstatic

@@ -1,0 +1,58 @@
+#include "results/cell_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/cell.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+template <class Quantity>
+const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const Quantity& quantity) { return quantity.name == name; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const std::vector<StressQuantity>& stress_quantities() {
+  static const std::vector<StressQuantity> table = [] {
+    std::vector<StressQuantity> all;
+    for (const UnitStrain& unit : unit_strains())
+      all.push_back({fmt::format("stress_{}", unit.name),
+                     "mean stress of the periodic cell, tension positive", unit.row, unit.column});
+    return all;
+  }();
+  return table;
+}
+
+const std::vector<EffectiveQuantity>& effective_quantities() {
+  using Effective = const EffectiveStiffness&;
+  static const std::vector<EffectiveQuantity> table = [] {
+    std::vector<EffectiveQuantity> all{
+        {"effective_young", "Young's modulus of the isotropic stiffness nearest to the cell's",
+         [](Effective e) { return e.isotropic.young; }},
+        {"effective_poisson", "Poisson's ratio of the same", [](Effective e) { return e.isotropic.poisson; }},
+        {"effective_misfit", "of the same, relative", [](Effective e) { return e.isotropic.misfit; }}};
+    for (const auto& [i, j] :
+         {std::pair{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {1, 2}, {1, 3}, {2, 3}})
+      all.push_back({fmt::format("effective_c{}{}", i, j), "component of the cell's stiffness, Voigt's order",
+                     [i = i, j = j](Effective e) { return e.stiffness(i - 1, j - 1); }});
+    return all;
+  }();
+  return table;
+}
+
+const StressQuantity* find_stress_quantity(const std::string& name) {
+  return find(stress_quantities(), name);
+}
+
+const EffectiveQuantity* find_effective_quantity(const std::string& name) {
+  return find(effective_quantities(), name);
+}
+
+}  // namespace bondstatic
