@@ -87,6 +87,13 @@ Table suspect_table(const Comparison& c) {
   return table;
 }
 
+/// Bond forces are known of the last step alone.
+std::string difference_of(const Comparison& c, const std::string& name) {
+  for (const FieldComparison& field : c.fields)
+    if (field.field == name) return share(field.difference);
+  return "";
+}
+
 Table series_table(const std::vector<Comparison>& steps) {
   Table table{{{"step"}}, {}};
   for (const FieldComparison& field : steps.back().fields) table.rows.front().push_back(field.field);
@@ -94,7 +101,7 @@ Table series_table(const std::vector<Comparison>& steps) {
   table.right.assign(table.rows.front().size() - 1, true);
   for (const Comparison& c : steps) {
     std::vector<std::string> row{std::to_string(c.step)};
-    for (const FieldComparison& field : c.fields) row.push_back(share(field.difference));
+    for (const FieldComparison& field : steps.back().fields) row.push_back(difference_of(c, field.field));
     row.push_back(&c == &steps.back() || c.verdict == CompareVerdict::same_state ? name_of(c.verdict)
                                                                                  : "apart");
     table.rows.push_back(std::move(row));

@@ -121,6 +121,42 @@ std::vector<Vector6> pairs_of(const Model& model, const IdTable& row_of, const s
 
 }  // namespace
 
+namespace {
+
+/// The particle that alone says where a periodic cell lies; -1 where several do, or none.
+Index holder_of_cell(const Model& model) {
+  Index holder = -1;
+  for (const Support& support : model.supports) {
+    if (!support.fixed[0] && !support.fixed[1] && !support.fixed[2]) continue;
+    if (holder >= 0 && holder != support.particle) return -1;
+    holder = support.particle;
+  }
+  return model.cell ? holder : -1;
+}
+
+/// What brings the particle that alone holds a cell to where the static answer has it: strain moves a run
+/// about its own fixed point.
+Vector3 shift_of_run(const Model& model, const State& statics, const ParticleState& state,
+                     const IdTable& row_of, const Cell& cell, RunState& run) {
+  const Index holder = holder_of_cell(model);
+  if (holder < 0) return Vector3::Zero();
+  const Particle& particle = model.particles[std::size_t(holder)];
+  const Index* row = row_of.position_of(particle.id);
+  if (!row) return Vector3::Zero();
+  Vector3 shift = particle.position + statics.displacement[std::size_t(holder)].head<3>() -
+                  state.position[std::size_t(*row)];
+  if (!shift.allFinite()) return Vector3::Zero();
+  shift -= shift_of(cell, nearest_image(cell, -shift).image);
+  if (!shift.isZero(0))
+    run.notes.push_back(fmt::format(
+        "The run is shifted by ({:.6g}, {:.6g}, {:.6g}), so that particle {} lies where the static "
+        "answer has it: nothing else says where the periodic cell is.",
+        shift.x(), shift.y(), shift.z(), particle.id));
+  return shift;
+}
+
+}  // namespace
+
 std::optional<RunState> match_particles(const Model& model, const State& statics, const ParticleState& state,
                                         const std::string& file, std::vector<Fault>& faults) {
   const Place place{file, 0, 0};
@@ -142,6 +178,8 @@ std::optional<RunState> match_particles(const Model& model, const State& statics
   run.has_rotations = !state.orientation.empty();
   run.displacement.assign(model.particles.size(), Vector6::Constant(not_given));
   const std::optional<Cell>& cell = state.cell ? state.cell : model.cell;
+  const Vector3 shift =
+      cell ? shift_of_run(model, statics, state, row_of, *cell, run) : Vector3(Vector3::Zero());
   std::vector<Vector3> at, was, expected;
   double static_size = 0;
   Index known = 0;
@@ -153,7 +191,7 @@ std::optional<RunState> match_particles(const Model& model, const State& statics
       continue;
     }
     ++known;
-    Vector3 moved = state.position[std::size_t(*row)] - particle.position;
+    Vector3 moved = state.position[std::size_t(*row)] + shift - particle.position;
     if (cell) moved += shift_of(*cell, nearest_image(*cell, moved).image);
     run.displacement[p].head<3>() = moved;
     if (run.has_rotations)

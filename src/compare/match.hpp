@@ -13,6 +13,7 @@
 namespace bondstatic {
 
 /// Particles by their ids; displacements from the case's positions, in a periodic cell to the nearest image.
+/// Where one particle alone holds a cell, the run is first shifted to where that one has its static place.
 /// Rotations are those of the orientations, which a run starts without any. Appends to `faults`, and returns
 /// nothing, where an id comes twice, and where the state can be none of this case: other units, another
 /// origin, another packing. `file`: in messages. `statics`: of the load case.

@@ -66,7 +66,7 @@ std::vector<double> positions(const Model& model, const Points& points) {
 void strain_images(std::vector<Column>& columns, const Points& points, const Matrix3& strain) {
   if (strain.isZero(0) || points.shifted.empty()) return;
   for (Column& column : columns)
-    if (column.name == "displacement")
+    if (column.name == "displacement" || column.name == "run_displacement")
       column.at = Column::Numbers<double>([at = std::get<Column::Numbers<double>>(column.at), &points,
                                            strain](Index i) {
         const auto found = std::lower_bound(points.shifted.begin(), points.shifted.end(), i / 3,

@@ -129,6 +129,20 @@ TEST(CompareCommand, ASeriesIsATableOfSteps) {
   EXPECT_THAT(half.out, HasSubstr("all loads 0.5"));
 }
 
+TEST(CompareCommand, BondForcesOfTheLastStepLeaveTheColumnsOfASeriesInPlace) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("case.toml", cantilever());
+  ASSERT_EQ(run_program({"solve", file, "--out", (scratch / "solved").string()}).code, 0);
+  const Ended ended = run_program({"compare", file, scratch.write("dump", cantilever_dump({0.5, 1})),
+                                   "--every-step", "--bonds", (scratch / "solved/bonds.csv").string()});
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  const std::size_t head = ended.out.find("  step"), first = ended.out.find('\n', head) + 1;
+  const std::size_t energy = ended.out.find("energy", head) - head;
+  ASSERT_LT(energy, first - head) << ended.out;
+  // A quarter of the energy.
+  EXPECT_EQ(ended.out.substr(first + energy - 1, 7), "7.5e-01") << ended.out;
+}
+
 TEST(CompareCommand, SeveralLoadCasesNeedAName) {
   const ScratchFolder scratch;
   std::string text = cantilever();

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "bondstatic/error.hpp"
+#include "model/cell.hpp"
+
 namespace bondstatic {
 
 const std::vector<ExportFormat>& export_formats() {
@@ -20,6 +23,24 @@ const std::vector<ExportFormat>& export_formats() {
 OutputFile& create(FileSet& files, ExportNotes& notes, const std::string& name) {
   notes.files.push_back(name);
   return files.create(name);
+}
+
+Index bonds_to_other_images(const Model& model) {
+  if (!model.cell) return 0;
+  constexpr double doubt = 1e-6;  // of the length, as where a case takes bonds from a table
+  Index count = 0;
+  for (const Bond& bond : model.bonds) {
+    const NearestImage nearest = nearest_image(*model.cell, bond.branch);
+    count += nearest.image != CellImage{} || nearest.next_length <= (1 + doubt) * nearest.length;
+  }
+  return count;
+}
+
+void need_bonds(const Model& model, const std::string& format) {
+  if (model.bonds.empty())
+    throw Error(ExitCode::invalid_input,
+                "the case has no bonds, and a " + format +
+                    " deck is about nothing else\n    cure: add [[bonds]], or export to csv or vtu");
 }
 
 Vector6 relaxed_motion(const ExportInput& input, std::size_t particle) {

@@ -25,7 +25,8 @@ struct ExportInput {
   const Model& model;  ///< of several load cases only for ExportFormat::all_load_cases
   std::span<const BondProperties> properties;  ///< one a bond
   std::string title = {};
-  std::string case_file = {};     ///< as given, for the commands in the notes
+  std::string case_file = {};     ///< for the commands in the notes
+  std::string case_options = {};  ///< likewise, what makes the case this model: " --load-case up", or ""
   bool si = false;                ///< numbers are SI
   const State* state = nullptr;   ///< static answer of the load case; null where it was not asked for
   bool relaxed = false;           ///< the export starts at that answer
@@ -50,6 +51,12 @@ const std::vector<ExportFormat>& export_formats();
 
 /// Starts a file and lists it.
 OutputFile& create(FileSet& files, ExportNotes& notes, const std::string& name);
+
+/// Bonds that do not go to the nearest image of their far end, or to one of several that are as near: a code
+/// that knows a bond by its particles alone takes another image.
+Index bonds_to_other_images(const Model& model);
+/// Throws Error (invalid_input) that says so where there is no bond.
+void need_bonds(const Model& model, const std::string& format);
 
 /// Position and orientation of a particle in the static answer: x + u, and the turn by its rotation vector.
 /// Particles that were left out of it stay where they are.

@@ -20,8 +20,10 @@ Index shift_of_ids(const Model& model, ExportNotes& notes) {
   }
   const Index shift = 1 - first;
   if (shift > 0)
-    notes.remarks.push_back(fmt::format("LAMMPS' ids begin at 1: id {} of the case is {} there, and so on.",
-                                        first, first + shift));
+    notes.remarks.push_back(
+        fmt::format("LAMMPS' ids begin at 1: id {} of the case is {} there, and so on. dump.final "
+                    "has the ids of the case, dump.bonds those of LAMMPS.",
+                    first, first + shift));
   if (last + shift > std::numeric_limits<std::int32_t>::max())
     notes.remarks.push_back("Ids beyond 2147483647 need a LAMMPS built with -DLAMMPS_BIGBIG.");
   return shift;
@@ -75,6 +77,7 @@ ParticleState static_state(const LammpsModel& model) {
 
 void write_lammps(const ExportInput& input, FileSet& files, ExportNotes& notes) {
   // 1. The model in LAMMPS' terms.
+  need_bonds(input.model, "LAMMPS");
   LammpsModel model{input, lammps_roles(input), lammps_bonds(input, notes), {}};
   model.id_shift = shift_of_ids(input.model, notes);
   model.box = lammps_box(input.model.cell, places(input),
@@ -85,7 +88,7 @@ void write_lammps(const ExportInput& input, FileSet& files, ExportNotes& notes) 
   write_lammps_data(model, create(files, notes, lammps_data_file));
   std::vector<LammpsVariable> variables;
   const std::string deck = lammps_deck(model, notes, variables);
-  if (deck.find(lammps_coefficient_file) != std::string::npos) {
+  if (model.bonds.types.size() > lammps_types_in_deck) {
     OutputFile& file = create(files, notes, lammps_coefficient_file);
     for (std::size_t t = 0; t < model.bonds.types.size(); ++t) {
       file.append(fmt::format("bond_coeff {} {}\n", t + 1, lammps_coefficients(model.bonds.types[t])));
@@ -100,7 +103,7 @@ void write_lammps(const ExportInput& input, FileSet& files, ExportNotes& notes) 
   // 3. The deck comes last: where it stands, all that it reads does.
   create(files, notes, lammps_deck_file).append(deck);
   notes.next_steps = {fmt::format("lmp -in {}", lammps_deck_file),
-                      fmt::format("bondstatic compare {} dump.final", input.case_file)};
+                      fmt::format("bondstatic compare {} dump.final{}", input.case_file, input.case_options)};
 }
 
 }  // namespace bondstatic

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,22 +11,12 @@ namespace bondstatic {
 
 namespace {
 
-/// The limits of what a few lines of a deck can hold before a user should know.
 constexpr std::size_t many_types = 5000;
 
 constexpr double mid_length = 0.5, rounding = 1e-12;
 
 std::string of_bonds(Index count, std::size_t all) {
   return fmt::format("{} of {} bonds", count, all);
-}
-
-/// LAMMPS takes the shortest of all images of x_b - x_a.
-bool is_shortest_image(const Model& model, const Bond& bond) {
-  if (!model.cell) return true;
-  const Vector3 parts = model.cell->edges.inverse() * bond.branch;
-  for (int i = 0; i < 3; ++i)
-    if (model.cell->periodic[std::size_t(i)] && std::abs(parts[i]) >= 0.5) return false;
-  return true;
 }
 
 /// Bonds on a pair that has one before them.
@@ -41,7 +30,7 @@ Index repeated_pairs(const Model& model) {
 
 void tell_what_does_not_fit(const ExportInput& input, ExportNotes& notes) {
   const std::size_t all = input.model.bonds.size();
-  Index off_middle = 0, coupled = 0, other_image = 0, without_feedback = 0;
+  Index off_middle = 0, coupled = 0, without_feedback = 0;
   double farthest = mid_length;
   for (std::size_t k = 0; k < all; ++k) {
     const BondProperties& bond = input.properties[k];
@@ -49,7 +38,6 @@ void tell_what_does_not_fit(const ExportInput& input, ExportNotes& notes) {
     if (std::abs(bond.fraction - mid_length) > std::abs(farthest - mid_length)) farthest = bond.fraction;
     coupled += bond.stiffness.coupling != 0;
     without_feedback += !bond.moments_fed_back;
-    other_image += !is_shortest_image(input.model, input.model.bonds[k]);
   }
   if (off_middle > 0)
     notes.not_expressed.push_back(
@@ -62,10 +50,10 @@ void tell_what_does_not_fit(const ExportInput& input, ExportNotes& notes) {
         "{} couple shear and bending (stepped sections); bpm/rotational has no such term, and the "
         "deck goes without.",
         of_bonds(coupled, all)));
-  if (other_image > 0)
+  if (const Index other_image = bonds_to_other_images(input.model); other_image > 0)
     notes.not_expressed.push_back(fmt::format(
-        "{} reach half of the periodic cell or farther; LAMMPS takes the shortest image of a pair, "
-        "which may be another one. Repeat the cell (2x2x2) before exporting.",
+        "{} do not go to the one nearest image of their far end, which LAMMPS takes. Repeat the cell "
+        "(2x2x2) before exporting.",
         of_bonds(other_image, all)));
   if (const Index twice = repeated_pairs(input.model); twice > 0)
     notes.not_expressed.push_back(

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bondstatic/error.hpp"
 
@@ -33,6 +34,11 @@ void refuse_other_edges(const Matrix3& edges) {
 
 }  // namespace
 
+bool LammpsBox::large_tilt() const {
+  const Vector3 half = 0.5 * (high - low);
+  return std::abs(tilt[0]) > half[0] || std::abs(tilt[1]) > half[0] || std::abs(tilt[2]) > half[1];
+}
+
 std::string LammpsBox::boundary() const {
   std::string text;
   for (const bool repeats : periodic) text += std::string(text.empty() ? "" : " ") + (repeats ? "p" : "f");
@@ -44,7 +50,8 @@ LammpsBox lammps_box(const std::optional<Cell>& cell, const std::vector<Vector3>
   refuse_other_edges(edges);
   LammpsBox box;
   if (cell) box.periodic = cell->periodic;
-  Vector3 origin = cell ? cell->origin : Vector3(Vector3::Zero());
+  const Vector3 corner = cell ? cell->origin : Vector3(Vector3::Zero());
+  Vector3 origin = corner;
   Matrix3 sides = edges;
   const Matrix3 inverse = edges.inverse();
   for (int i = 0; i < 3; ++i) {
@@ -52,7 +59,7 @@ LammpsBox lammps_box(const std::optional<Cell>& cell, const std::vector<Vector3>
     // Along an edge where nothing repeats, the box may begin and end anywhere: in parts of that edge.
     double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const Vector3& place : places) {
-      const double part = inverse.row(i).dot(place - (cell ? cell->origin : Vector3(Vector3::Zero())));
+      const double part = inverse.row(i).dot(place - corner);
       first = std::min(first, part);
       last = std::max(last, part);
     }

@@ -18,6 +18,9 @@ struct LammpsBox {
   std::array<bool, 3> periodic{};
 
   bool triclinic() const { return tilt != Vector3(Vector3::Zero()); }
+  /// Tilted by more than half an edge, which LAMMPS and LIGGGHTS refuse unless told `box tilt large`
+  /// (documentation of command box).
+  bool large_tilt() const;
   /// "f f p"
   std::string boundary() const;
 };

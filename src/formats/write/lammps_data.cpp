@@ -22,8 +22,10 @@ std::string one_line(std::string text) {
 void write_header(const LammpsModel& model, OutputFile& file) {
   const Model& of = model.input.model;
   const LammpsBox& box = model.box;
-  // LAMMPS skips the first line; a data file says nowhere else which directions are periodic.
-  file.append(fmt::format("bondstatic, boundary = {}, {}\n\n", box.boundary(), one_line(model.input.title)));
+  // LAMMPS skips the first line; a data file says nowhere else which directions are periodic, and in which
+  // units. What the title may say of such things comes behind.
+  file.append(fmt::format("bondstatic, boundary = {}, units = {}, {}\n\n", box.boundary(),
+                          model.input.si ? "si" : "any", one_line(model.input.title)));
   file.append(fmt::format("{} atoms\n{} bonds\n{} atom types\n{} bond types\n\n", of.particles.size(),
                           of.bonds.size(), model.roles.roles.size(), model.bonds.types.size()));
   const char axes[] = {'x', 'y', 'z'};

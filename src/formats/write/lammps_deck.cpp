@@ -13,7 +13,6 @@ namespace bondstatic {
 
 namespace {
 
-constexpr std::size_t most_types_in_deck = 100;
 constexpr std::size_t comment_width = 100;
 constexpr Index thermo_lines = 50;
 
@@ -125,6 +124,7 @@ class Deck {
     say("boundary     {}", model_.box.boundary());
     say("newton       on off");
     say("comm_modify  vel yes cutoff {:.6g}", 2 * model_.bonds.longest + skin);
+    if (model_.box.large_tilt()) say("box          tilt large");
     say("special_bonds lj 0.0 1.0 1.0 coul 0.0 1.0 1.0");
     say("read_data    {} nocoeff", lammps_data_file);
     say("pair_style   zero {:.6g}", model_.bonds.longest);
@@ -139,7 +139,7 @@ class Deck {
                         "stiffnesses as such (normalize is off by default)");
     say("bond_style   bpm/rotational break no smooth no");
     const auto& types = model_.bonds.types;
-    if (types.size() > most_types_in_deck) {
+    if (types.size() > lammps_types_in_deck) {
       say("include      {}", lammps_coefficient_file);
       return;
     }
@@ -292,10 +292,13 @@ class Deck {
     say("compute      q all property/atom quatw quati quatj quatk");
     say("compute      bl all property/local batom1 batom2 btype");
     say("compute      bf all bond/local dist fx fy fz");
-    say("dump         d all custom 1 dump.final id type {} c_q[1] c_q[2] c_q[3] c_q[4] vx vy vz omegax "
+    const bool other_ids = model_.id_shift != 0;
+    if (other_ids) say("variable     case_id atom id-{}", model_.id_shift);
+    say("dump         d all custom 1 dump.final {} type {} c_q[1] c_q[2] c_q[3] c_q[4] vx vy vz omegax "
         "omegay "
         "omegaz fx fy fz tqx tqy tqz",
-        unwrapped ? "xu yu zu" : "x y z");
+        other_ids ? "v_case_id" : "id", unwrapped ? "xu yu zu" : "x y z");
+    if (other_ids) say("dump_modify  d colname v_case_id id");
     say("dump_modify  d format float %.17g sort id");
     say("dump         b all local 1 dump.bonds index c_bl[1] c_bl[2] c_bl[3] c_bf[1] c_bf[2] c_bf[3] "
         "c_bf[4]");
@@ -305,9 +308,7 @@ class Deck {
 
   bool needs_atom_torques() const {
     return any([](const LammpsRole& role) {
-             const bool some_rotations =
-                 !role.held_altogether() && (role.held >> 3) != 0 && !role.holds_all_rotations();
-             return some_rotations;
+             return !role.held_altogether() && (role.held >> 3) != 0 && !role.holds_all_rotations();
            }) ||
            std::any_of(model_.roles.load.begin(), model_.roles.load.end(),
                        [](const Vector6& load) { return load.tail<3>() != Vector3(Vector3::Zero()); });

@@ -26,6 +26,9 @@ inline constexpr const char* lammps_deck_file = "in.lammps";
 inline constexpr const char* lammps_coefficient_file = "bond_coeffs.lammps";
 inline constexpr const char* lammps_static_dump = "dump.static";
 
+/// With more bond types than this, their coefficients stand in a file of their own.
+inline constexpr std::size_t lammps_types_in_deck = 100;
+
 /// Strengths that no bond of a linear model reaches.
 inline constexpr double lammps_strength = 1e30;
 
