@@ -71,6 +71,21 @@ void keep_one_load_case(Model& model, Index load_case) {
   model.load_cases = {model.load_cases[std::size_t(load_case)]};
 }
 
+/// So that a shell takes it as one word.
+std::string shell_word(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + '\'';
+}
+
+/// What makes the case the exported model.
+std::string options_of(const ExportArguments& arguments) {
+  std::string text;
+  for (const std::string& change : arguments.solve.overrides) text += " --set " + shell_word(change);
+  if (arguments.has_load_case) text += " --load-case " + shell_word(arguments.load_case);
+  return text;
+}
+
 /// A run needs masses; the state at rest does not depend on them.
 void complete_densities(Model& model, std::vector<std::string>& remarks) {
   Index without = 0;
@@ -137,6 +152,9 @@ ExitCode export_case(const ExportArguments& arguments) {
   ExportInput input{.model = given.model, .properties = properties};
   input.title = given.title;
   input.case_file = std::filesystem::absolute(given.file).string();
+  if (input.case_file.find_first_of(" \t'\"$&;()*?<>|\\`#!") != std::string::npos)
+    input.case_file = shell_word(input.case_file);
+  input.case_options = options_of(arguments);
   input.si = given.si;
   input.state = solution.cases.empty() ? nullptr : &solution.cases.front();
   input.relaxed = arguments.relaxed;

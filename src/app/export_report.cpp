@@ -13,12 +13,16 @@ namespace bondstatic {
 
 namespace {
 
-std::string listed(const std::string& heading, const std::vector<std::string>& items) {
+std::string one_a_line(const std::string& heading, const std::vector<std::string>& items) {
   std::string text;
-  for (const std::string& item : items) {
-    text += fmt::format("  {:<10}{}\n", text.empty() ? heading : "", wrapped(item, 12));
-  }
+  for (const std::string& item : items)
+    text += fmt::format("  {:<10}{}\n", text.empty() ? heading : "", item);
   return text;
+}
+
+std::string listed(const std::string& heading, std::vector<std::string> sentences) {
+  for (std::string& sentence : sentences) sentence = wrapped(sentence, 12);
+  return one_a_line(heading, sentences);
 }
 
 }  // namespace
@@ -29,14 +33,14 @@ std::string export_report(const ExportAnswer& answer) {
     files.push_back((std::filesystem::path(answer.folder) / name).string());
   std::string text = heading(answer.given, facts_of(answer.given.model));
   if (!answer.load_case.empty()) text += "load case " + answer.load_case + '\n';
-  text += '\n' + listed("written", files);
+  text += '\n' + one_a_line("written", files);
   if (!answer.notes.not_expressed.empty()) {
     text += '\n' + red("The exported model is another one:", stdout) + '\n';
     text += listed("differs", answer.notes.not_expressed);
   }
   if (!answer.notes.remarks.empty()) text += '\n' + listed("note", answer.notes.remarks);
   if (!answer.notes.next_steps.empty())
-    text += fmt::format("\n  in {}:\n", answer.folder) + listed("next", answer.notes.next_steps);
+    text += fmt::format("\n  in {}:\n", answer.folder) + one_a_line("next", answer.notes.next_steps);
   return text + warnings_text(answer.given.warnings);
 }
 

@@ -57,6 +57,17 @@ nlohmann::ordered_json triple(const Vector3& value) {
   return {value.x(), value.y(), value.z()};
 }
 
+/// As [cell] of a case takes it; null where nothing is periodic.
+nlohmann::ordered_json cell_json(const std::optional<Cell>& cell) {
+  if (!cell) return nullptr;
+  std::vector<std::string> periodic;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (cell->periodic[i]) periodic.emplace_back(1, "xyz"[i]);
+  return {{"edges", {triple(cell->edges.col(0)), triple(cell->edges.col(1)), triple(cell->edges.col(2))}},
+          {"origin", triple(cell->origin)},
+          {"periodic", periodic}};
+}
+
 }  // namespace
 
 std::string import_report(const ImportReport& report) {
@@ -84,6 +95,7 @@ std::string import_json(const ImportReport& report) {
       {"highest", triple(facts.highest)},
       {"smallest_radius", facts.smallest_radius},  // null where no file has radii
       {"largest_radius", facts.largest_radius},
+      {"cell", cell_json(model.cell)},
       {"coordination", facts.coordination},
       {"bodies", facts.bodies},
       {"largest_body", facts.largest_body},

@@ -82,7 +82,7 @@ std::string translation_json(const Case& given, const Translation& translation,
     out["outputs"] = outputs;
   }
   out["warnings"] = given.warnings;
-  return out.dump(2) + "\n";
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace bondstatic

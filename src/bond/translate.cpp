@@ -74,7 +74,11 @@ std::vector<BlockFit> block_fits(const Model& model, const Translation& translat
     BlockFit& fit = fits[std::size_t(model.bonds[k].block)];
     const std::array<double, 4> want = four(wanted.stiffness), real = four(realised.stiffness);
     for (std::size_t i = 0; i < 4; ++i)
-      if (real[i] != want[i]) fit.misfit[i] = std::max(fit.misfit[i], std::abs(real[i] - want[i]) / want[i]);
+      if (real[i] != want[i]) {
+        const double misfit = std::abs(real[i] - want[i]) / want[i];
+        fit.misfit[i] =
+            std::isnan(misfit) ? std::numeric_limits<double>::infinity() : std::max(fit.misfit[i], misfit);
+      }
     fit.coupled += wanted.stiffness.coupling != 0;
     fit.moved = std::max(fit.moved, std::abs(realised.fraction - wanted.fraction));
     if (code.departure) {

@@ -11,10 +11,9 @@ struct Translation {
   const BondCode* code = nullptr;
   std::vector<std::vector<double>> stored;  ///< [parameter of the code][bond]
 
-  /// What acts on the particles, bond by bond: kt = kb = 0 where moments stay in the bond. `wanted` is the
-  /// model's; a bond with coupling is moved to the code's contact point, which changes nothing of it.
+  /// The model's bonds; one with coupling is moved to the code's contact point, which changes nothing of it.
   std::vector<BondProperties> wanted;
-  std::vector<BondProperties> realised;  ///< at the code's contact point, in each
+  std::vector<BondProperties> realised;  ///< what the code makes of the numbers, at its contact point
 };
 
 /// Throws what bond_properties throws.

@@ -1,13 +1,11 @@
 // Bonds listed in a file.
 #pragma once
 
-#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "bondstatic/bond_law.hpp"
-#include "case/draft.hpp"
-#include "case/row_places.hpp"
+#include "case/bond_rows.hpp"
 #include "case/table_reader.hpp"
 #include "formats/foreign_model.hpp"
 #include "io/table.hpp"
@@ -26,14 +24,6 @@ struct BondFile {
 
 /// Nothing, and faults, where it cannot be read.
 std::optional<BondFile> open_bond_file(Draft& draft, TableReader& block);
-
-struct BondRows {
-  std::vector<Index> a, b;  ///< model positions
-  std::vector<Index> ids;   ///< empty where there is no such column
-  RowPlaces places;
-  std::map<std::size_t, std::vector<double>> overrides;  ///< as in BondBlock
-  std::vector<double> fractions;                         ///< as in BondBlock
-};
 
 /// The file's rows, each with parameters that complete what the block itself gives to a sound whole. Uses up
 /// the file.

@@ -152,6 +152,27 @@ class BondAdder {
   std::map<std::string, int> said_;  ///< of each kind, which its cure tells
 };
 
+/// Bonds that would go round the cell many times, each particle bonded to all others over and over, are a
+/// slip of units.
+bool cell_is_large_enough(Draft& draft, TableReader& block, const Formation& formation,
+                          const PositionLists* lists) {
+  constexpr double most_rounds = 4;
+  const Cell& cell = *draft.model.cell;
+  const double longest = longest_bond(draft.model.particles, formation, lists);
+  for (int edge = 0; edge < 3; ++edge) {
+    const double across = height(cell, edge);
+    if (!cell.periodic[std::size_t(edge)] || longest <= most_rounds * across) continue;
+    draft.reading.fault(
+        block.place(),
+        fmt::format("bonds could be {:.6g} long, {:.3g} times the cell's {:.6g} along edge {}", longest,
+                    longest / across, across, "xyz"[edge]),
+        "check the units of [cell], radii and gap; the cell should hold several particles "
+        "along each periodic edge");
+    return false;
+  }
+  return true;
+}
+
 /// Bonds of the rows that were not skipped, with their own parameters.
 void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
   for (std::size_t row = 0; row < rows.a.size(); ++row) {
@@ -196,6 +217,7 @@ void read_block(Draft& draft, TableReader& block) {
   std::vector<std::pair<Index, Index>> formed;
   std::vector<BondedImage> across;
   const PositionLists* lists = between ? &*between : nullptr;
+  if (!rows && draft.model.cell && !cell_is_large_enough(draft, block, formation, lists)) return;
   if (!rows && draft.model.cell)
     across = bonded_images(draft.model.particles, *draft.model.cell, formation, lists, reading.threads);
   else if (!rows)

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
 #include "io/line_reader.hpp"
+#include "io/table_fields.hpp"
 
 namespace bondstatic {
 namespace {
@@ -22,7 +22,8 @@ ReadOptions options_of(TableReader& block, WantedOf wanted) {
   return options;
 }
 
-/// Words of the first line that is neither empty nor a comment, lower case; none where it cannot be read.
+/// Column names in the first line that is neither empty nor a comment, lower case; none where it cannot be
+/// read.
 std::vector<std::string> header_names(const std::string& path) {
   std::vector<Fault> unsaid;
   auto reader = LineReader::open(path, {path, 0, 0}, unsaid);
@@ -30,13 +31,13 @@ std::vector<std::string> header_names(const std::string& path) {
   while (reader && names.empty()) {
     const auto line = reader->next(unsaid);
     if (!line) break;
-    if (line->starts_with('#')) continue;
-    std::string name;
-    for (const char c : std::string(*line) + ',')
-      if (std::string_view(",; \t\"").find(c) == std::string_view::npos)
-        name += char(std::tolower(static_cast<unsigned char>(c)));
-      else if (!name.empty())
-        names.push_back(std::exchange(name, ""));
+    const char separator = separator_of(*line);
+    std::vector<std::size_t> starts;
+    append_field_starts(*line, separator, 0, starts);
+    for (const std::size_t start : starts) {
+      std::string& name = names.emplace_back(unquoted(field_at(*line, start, separator)));
+      for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+    }
   }
   return names;
 }

@@ -7,29 +7,22 @@
 
 #include "case/foreign_file.hpp"
 #include "formats/join_models.hpp"
+#include "formats/table/column_names.hpp"
 #include "io/nearest_name.hpp"
 #include "io/table.hpp"
 
 namespace bondstatic {
 namespace {
 
-using Names = std::vector<std::string>;
-
-/// All column names that mean something here, by what they mean.
-const std::vector<Names>& aliases() {
-  static const std::vector<Names> names{
-      {"x", "pos_x", "posx", "position_x", "px", "x0"},
-      {"y", "pos_y", "posy", "position_y", "py", "y0"},
-      {"z", "pos_z", "posz", "position_z", "pz", "z0"},
-      {"id", "particle_id", "particle", "pid", "number"},
-      {"radius", "r", "rad", "radii"},
-      {"diameter", "d", "diam"},
-      {"density", "rho"},
-      {"group"},
-  };
-  return names;
-}
 enum { x, y, z, id, radius, diameter, density, group, count };
+
+/// By what they mean, in the order above.
+const Aliases& aliases(int what) {
+  static const Aliases* const names[count] = {
+      &own_columns::x,      &own_columns::y,        &own_columns::z,       &own_columns::particle_id,
+      &own_columns::radius, &own_columns::diameter, &own_columns::density, &own_columns::group};
+  return *names[what];
+}
 
 void warn_unused(TableReader& block, const Table& table, const std::vector<int>& used) {
   std::vector<std::string> unused;
@@ -89,7 +82,7 @@ std::optional<ParticleRows> read_particle_file(TableReader& block) {
   const auto table = read_table(*path, block.place_of("file"), faults, block.reading().threads);
   // A table without this project's columns may be another code's.
   const auto other_code = [&]() -> std::optional<ParticleRows> {
-    auto model = try_foreign_table(block, *path, WantedOf::particles, aliases()[x]);
+    auto model = try_foreign_table(block, *path, WantedOf::particles, aliases(x));
     if (!model) return std::nullopt;
     faults.resize(before);
     return rows_of(std::move(*model), *path, faults);
@@ -97,16 +90,15 @@ std::optional<ParticleRows> read_particle_file(TableReader& block) {
   if (!table) return other_code();
 
   std::vector<int> column(count);
-  for (int what = 0; what < count; ++what)
-    column[std::size_t(what)] = table->find(aliases()[std::size_t(what)], faults);
+  for (int what = 0; what < count; ++what) column[std::size_t(what)] = table->find(aliases(what), faults);
   if (column[x] < 0 && column[y] < 0 && column[z] < 0)
     if (auto rows = other_code()) return rows;
   for (const int what : {x, y, z})
     if (column[std::size_t(what)] < 0)
       faults.push_back(
           {table->place(-1, -1),
-           fmt::format("no column {}; found: {}", aliases()[std::size_t(what)][0], name_list(table->names())),
-           fmt::format("name it one of: {}", name_list(aliases()[std::size_t(what)]))});
+           fmt::format("no column {}; found: {}", aliases(what).front(), name_list(table->names())),
+           fmt::format("name it one of: {}", name_list(aliases(what)))});
   if (column[radius] >= 0 && column[diameter] >= 0)
     faults.push_back({table->place(-1, column[diameter]), "radius and diameter exclude each other",
                       "remove or rename one of them"});

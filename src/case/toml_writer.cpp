@@ -1,42 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "case/toml_text.hpp"
+#include "formats/write/toml.hpp"
 
 namespace bondstatic {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (code < 0x20 || code == 0x7f) {
-      out += fmt::format("\\u{:04X}", code);
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
 
 std::string key_text(const std::string& key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-  return bare ? key : quoted(key);
-}
-
-std::string real_text(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
+  return bare ? key : toml_text(key);
 }
 
 std::string value_text(const Node& node) {
@@ -50,11 +26,11 @@ std::string value_text(const Node& node) {
       for (const Node& item : node.items) out += (out.empty() ? "" : ", ") + value_text(item);
       return '[' + out + ']';
     case Node::Kind::text:
-      return quoted(node.text);
+      return toml_text(node.text);
     case Node::Kind::whole:
       return fmt::format("{}", node.whole);
     case Node::Kind::real:
-      return real_text(node.real);
+      return toml_number(node.real);
     case Node::Kind::truth:
       return node.truth ? "true" : "false";
     case Node::Kind::other:

@@ -119,10 +119,6 @@ std::vector<Vector6> pairs_of(const Model& model, const IdTable& row_of, const s
   return values;
 }
 
-}  // namespace
-
-namespace {
-
 /// The particle that alone says where a periodic cell lies; -1 where several do, or none.
 Index holder_of_cell(const Model& model) {
   Index holder = -1;

@@ -20,6 +20,14 @@ std::vector<ReadFile> read_all(const std::vector<std::pair<std::string, Place>>&
   return files;
 }
 
+/// By its name, unless it is something else by its content: data files are called x.lmp, too.
+bool is_script(const std::string& path, const Place& named_at) {
+  if (!is_lammps_script_name(path)) return false;
+  std::vector<Fault> unread;  // which reading the script tells as well
+  const auto format = detect_format(path, named_at, unread);
+  return !format || *format == FileFormat::table;
+}
+
 void stop_at(const std::vector<Fault>& faults) {
   if (!faults.empty()) throw InputError(faults);
 }
@@ -33,7 +41,7 @@ Imported import_files(const std::vector<std::string>& paths, const ImportOptions
   std::vector<std::pair<std::string, Place>> others;
   for (const std::string& path : paths) {
     const Place named_at{path, 0, 0};
-    if (!is_lammps_script_name(path))
+    if (!is_script(path, named_at))
       others.emplace_back(path, named_at);
     else if (script)
       faults.push_back({named_at, fmt::format("a second input script, after {}", script->file),

@@ -174,8 +174,12 @@ void join(ForeignModel& to, ReadFile& file, std::vector<Fault>& faults) {
   append(to.particles, from.particles);
   append(to.bonds, from.bonds);
   if (to.title.empty()) to.title = from.title;
+  if (to.si != from.si)
+    to.notes.assumed.push_back(fmt::format(
+        "Some of the files are in SI units, others ({}) do not say theirs: their numbers are taken as SI.",
+        from.si ? to.format : from.format));
   to.format += ", " + from.format;
-  to.si = to.si && from.si;
+  to.si = to.si || from.si;
   append(to.notes.taken, from.notes.taken);
   append(to.notes.assumed, from.notes.assumed);
   append(to.notes.left_out, from.notes.left_out);

@@ -20,10 +20,10 @@ struct JoinedModel {
 };
 
 /// All of them as one model, in their order, which is sound then: every particle and every bond has an id of
-/// its own (those without one are
-/// numbered behind the largest), positions are finite, radii positive or
-/// everywhere absent, bonds join two different particles that are there. Nothing, and faults with file and
-/// line, where it cannot be. The files' models are used up.
+/// its own (those without one are numbered behind the largest), positions are finite, radii positive or
+/// everywhere absent, bonds join two different particles that are there. Where one file is in SI units, those
+/// that do not say theirs are assumed to be, too. Nothing, and faults with file and line, where it cannot be.
+/// The files' models are used up.
 std::optional<JoinedModel> join_models(std::vector<ReadFile> files, std::vector<Fault>& faults);
 
 }  // namespace bondstatic

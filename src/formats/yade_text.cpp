@@ -33,7 +33,6 @@ std::vector<std::string> words(std::string_view text, std::string_view separator
 YadeHeader read_header(LineReader& reader, std::vector<Fault>& faults) {
   YadeHeader header;
   header.place = {reader.file(), 1, 1};
-  header.place = {reader.file(), 1, 1};
   while (const auto line = reader.next(faults)) {
     if (line->starts_with(format_line)) {
       const auto format = words(line->substr(format_line.size()), " \t");

@@ -13,16 +13,24 @@ bool drop_plus(std::string_view& field) {
   return !field.starts_with('-');
 }
 
-}  // namespace
-
-double number_field(std::string_view field) {
+std::optional<double> parsed(std::string_view field) {
   const bool one_sign = drop_plus(field);
   const char* end = field.data() + field.size();
   double value = 0;
   const auto [stop, error] = std::from_chars(field.data(), end, value);
-  if (stop != end || field.empty() || !one_sign) return std::numeric_limits<double>::quiet_NaN();
+  if (stop != end || field.empty() || !one_sign) return std::nullopt;
   if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
-  return error == std::errc() ? value : std::numeric_limits<double>::quiet_NaN();
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+double number_field(std::string_view field) {
+  return parsed(field).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+bool is_number_field(std::string_view field) {
+  return parsed(field).has_value();
 }
 
 std::optional<Index> whole_number_field(std::string_view field) {

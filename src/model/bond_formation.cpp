@@ -79,6 +79,15 @@ std::vector<std::pair<Index, Index>> bonded_pairs(std::span<const Particle> part
   return bonded;
 }
 
+double longest_bond(std::span<const Particle> particles, const Formation& formation,
+                    const PositionLists* between) {
+  const auto side = sides_of(particles.size(), between);
+  double longest = 0;
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    if (side[p]) longest = std::max(longest, 2 * search_reach(particles[p], formation));
+  return longest;
+}
+
 std::vector<BondedImage> bonded_images(std::span<const Particle> particles, const Cell& cell,
                                        const Formation& formation, const PositionLists* between,
                                        int threads) {

@@ -26,8 +26,13 @@ std::vector<std::pair<Index, Index>> bonded_pairs(std::span<const Particle> part
                                                   const Formation& formation,
                                                   const PositionLists* between = nullptr, int threads = 1);
 
-/// The same in a periodic cell, where the bond goes from a to the image of b (in model positions, not in
-/// those brought into the cell). A particle near its own image is paired with itself.
+/// The longest bond that could form among the particles of the lists; 0 where there are none.
+double longest_bond(std::span<const Particle> particles, const Formation& formation,
+                    const PositionLists* between = nullptr);
+
+/// The pairs in a periodic cell, where the bond goes from a to the image of b (in model positions, not in
+/// those brought into the cell). A particle near its own image is paired with itself. Time and memory grow
+/// with the cube of longest_bond() over the cell's height: callers refuse the absurd.
 struct BondedImage {
   Index a = 0;
   Index b = 0;

@@ -57,6 +57,13 @@ NearestImage nearest_image(const Cell& cell, const Vector3& branch) {
   return nearest;
 }
 
+Vector3 shift_of_end(const Model& model, const Bond& bond) {
+  if (!model.cell) return Vector3::Zero();
+  const auto at = [&](Index p) -> const Vector3& { return model.particles[std::size_t(p)].position; };
+  const Vector3 shift = bond.branch - (at(bond.b) - at(bond.a));
+  return shift.norm() > 1e-6 * bond.branch.norm() ? shift : Vector3(Vector3::Zero());
+}
+
 CellImage image_inside(const Cell& cell, const Vector3& position) {
   const Vector3 along = cell.edges.partialPivLu().solve(position - cell.origin);
   CellImage image{};

@@ -29,6 +29,9 @@ struct NearestImage {
 };
 NearestImage nearest_image(const Cell& cell, const Vector3& branch);
 
+/// How far the end of a bond lies from its particle b where it goes across a periodic face; zero elsewhere.
+Vector3 shift_of_end(const Model& model, const Bond& bond);
+
 /// The image that lies in the cell, edges counted from its origin on.
 CellImage image_inside(const Cell& cell, const Vector3& position);
 

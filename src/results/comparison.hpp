@@ -1,11 +1,15 @@
 // A comparison as files: summary.json, particles.csv, bonds.csv, model.vtu, case.resolved.toml; of a series
 // also steps.csv.
 //
-// particles.csv  id, x, y, z, radius, ux ... rz (static), run_ux ... run_rz, difference_ux ... (run less
-// static) bonds.csv      as of a solve, run_fx ... run_mz, difference_fx ...; only where the run tells forces
-// of bonds model.vtu      the fields of a solve, run_displacement, run_rotation, displacement_difference,
-//                rotation_difference on points, the columns of bonds.csv on lines
-// steps.csv      step; displacement, rotation, energy (differences, relative), scale, kinetic, residual
+// particles.csv: id, x, y, z, radius, ux ... rz (static), run_ux ... run_rz, difference_ux ... (run less
+// static).
+//
+// bonds.csv: as of a solve, run_fx ... run_mz, difference_fx ...; only where the run tells forces of bonds.
+//
+// model.vtu: the fields of a solve, run_displacement, run_rotation, displacement_difference,
+// rotation_difference on points, the columns of bonds.csv on lines.
+//
+// steps.csv: step; displacement, rotation, energy (differences, relative), scale, kinetic, residual.
 //
 // What the run does not tell is an empty field, NaN in model.vtu.
 #pragma once

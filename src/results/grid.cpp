@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "io/vtu_writer.hpp"
+#include "model/cell.hpp"
 #include "results/columns.hpp"
 #include "results/owned.hpp"
 
@@ -27,14 +28,6 @@ struct Points {
     return Index(particle.size()) - 1;
   }
 };
-
-/// How far the end of a bond lies from particle b where it goes across a periodic face; zero elsewhere.
-Vector3 shift_of_end(const Model& model, const Bond& bond) {
-  if (!model.cell) return Vector3::Zero();
-  const auto at = [&](Index p) -> const Vector3& { return model.particles[std::size_t(p)].position; };
-  const Vector3 shift = bond.branch - (at(bond.b) - at(bond.a));
-  return shift.norm() > 1e-6 * bond.branch.norm() ? shift : Vector3(Vector3::Zero());
-}
 
 /// A line across a periodic face ends beside the face, not at the other end of the cell. `point_of` gives the
 /// point of a particle.

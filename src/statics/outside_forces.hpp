@@ -22,6 +22,8 @@ class OutsideForces {
   /// |sum| over the sum of the magnitudes; moments about the mean particle centre.
   double force_balance() const;
   double moment_balance() const;
+  const Vector3T<Extended>& force() const { return force_; }
+  const Extended& forces() const { return forces_; }  ///< sum of the magnitudes
   /// Their sum and that of their magnitudes; in a periodic cell each about its own particle.
   const Vector3T<Extended>& moment() const { return moment_; }
   const Extended& moments() const { return moments_; }

@@ -94,6 +94,7 @@ TEST(ExportCommand, AsksWhichOfSeveralLoadCases) {
   const std::string deck = read_text(side.folder / "out" / "in.lammps");
   EXPECT_THAT(deck, HasSubstr("addforce 0 -100000 0"));
   EXPECT_THAT(deck, HasSubstr("addtorque/atom 0 10000 0"));
+  EXPECT_THAT(side.ended.out, HasSubstr("dump.final --load-case 'side'"));
   EXPECT_EQ(ExportRun(two_cases(), {"--to", "csv"}).ended.code, 0);
 }
 
@@ -108,6 +109,7 @@ TEST(ExportCommand, TellsOfAnotherModelOnTheTerminal) {
   ASSERT_EQ(run.ended.code, 0) << run.ended.err;
   EXPECT_THAT(run.ended.out, HasSubstr("The exported model is another one:"));
   EXPECT_THAT(run.ended.out, HasSubstr("10 of 10 bonds act at another contact point"));
+  EXPECT_THAT(run.ended.out, HasSubstr("dump.final --set 'bonds.0.contact_point=0.3'"));
 }
 
 TEST(ExportCommand, AMechanismEndsAsInASolve) {
@@ -139,6 +141,32 @@ TEST(ExportCommand, TheDeckImportedAgainIsTheSameModel) {
   EXPECT_NEAR(
       largest_displacement(back + "/case.toml") / largest_displacement((run.folder / "case.toml").string()),
       1, 1e-14);
+}
+
+TEST(ExportCommand, VtuDrawsABondAcrossAPeriodicFaceBesideIt) {
+  const ExportRun run(R"(
+[cell]
+size = [4, 4, 4]
+[[particles]]
+line = { from = [0.5, 2, 2], to = [3.5, 2, 2], count = 2 }
+radius = 0.5
+[[bonds]]
+law = "generic"
+contact_radius_factor = 1.1
+kn = 1
+ks = 1
+kt = 1
+kb = 1
+)",
+                      {"--to", "vtu", "--load-case", "xx"});
+  ASSERT_EQ(run.ended.code, 0) << run.ended.err;
+  const std::string script = std::string(BONDSTATIC_SOURCE_DIR) + "/tests/io/read_vtu.py";
+  const Ended read =
+      Program({"-B", script, (run.folder / "out" / "model.vtu").string()}, "/usr/bin/python3").end();
+  ASSERT_EQ(read.code, 0) << read.err;
+  EXPECT_THAT(read.out, HasSubstr("points 3\n"));
+  EXPECT_THAT(read.out, HasSubstr("cell 0 3 0 2\n"));
+  EXPECT_THAT(read.out, HasSubstr("vtkGhostType 1 0 0 1\n"));
 }
 
 TEST(ExportCommand, VtuHasSupportsLoadsAndStiffness) {

@@ -88,6 +88,16 @@ TEST(Import, WithAScriptAloneReadsTheFileThatItNames) {
   EXPECT_NEAR(numbers.at(6), deflection, 1e-15 * deflection);
 }
 
+TEST(Import, ADataFileIsOneUnderAnyName) {
+  const ScratchFolder scratch;
+  scratch.write("three.lmp", small_data());
+  scratch.write("in.three", small_script());
+  const Ended ended = run_program({"import", (scratch / "three.lmp").string(),
+                                   (scratch / "in.three").string(), "--out", (scratch / "d").string()});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("3 particles, 2 bonds"));
+}
+
 TEST(Import, OfBondsWithoutStiffnessAsksForItInTheCase) {
   const ScratchFolder scratch;
   const std::string data = scratch.write("three.data", small_data()), out = (scratch / "d").string();
@@ -118,14 +128,18 @@ TEST(Import, JsonTellsTheSame) {
   EXPECT_DOUBLE_EQ(json["coordination"], 4. / 3);
   EXPECT_EQ(json["written"].size(), 3u);
   EXPECT_EQ(json["to_be_filled_in"].size(), 3u);
+  EXPECT_TRUE(json["cell"].is_null());
 }
 
 TEST(Import, WritesACellWhereTheScriptSaysThatTheBoxRepeats) {
   const ScratchFolder scratch;
   scratch.write("three.data", small_data());
   const Ended ended = run_program({"import", scratch.write("in.three", small_script() + "boundary p p f\n"),
-                                   "--out", (scratch / "d").string()});
+                                   "--out", (scratch / "d").string(), "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(nlohmann::json::parse(ended.out)["cell"],
+            nlohmann::json::parse(R"({"edges": [[7, 0, 0], [0, 4, 0], [0, 0, 4]], "origin": [-1, -2, -2],
+                                      "periodic": ["x", "y"]})"));
   EXPECT_THAT(read_text(scratch / "d/case.toml"),
               HasSubstr("[cell]\nedges = [[7.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]]\n"
                         "origin = [-1.0, -2.0, -2.0]\nperiodic = [\"x\", \"y\"]\n"));
@@ -206,9 +220,10 @@ TEST(Import, JoinsParticlesAndBondsOfSeveralFiles) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("3 particles, 3 bonds"));
   EXPECT_THAT(ended.out, HasSubstr("bonded already"));
-  EXPECT_EQ(read_text(out + "/bonds.csv"),
-            "id,a,b,kn,ks,kt,kb,contact_point\n1,1,2,1000000,1000000,1,1,0.25\n2,2,7,2000000,1000000,1,1,0.5\n"
-            "3,2,7,2000000,1000000,1,1,0.5\n");
+  EXPECT_EQ(
+      read_text(out + "/bonds.csv"),
+      "id,a,b,kn,ks,kt,kb,contact_point\n1,1,2,1000000,1000000,1,1,0.25\n2,2,7,2000000,1000000,1,1,0.5\n"
+      "3,2,7,2000000,1000000,1,1,0.5\n");
   const auto answer =
       solved(out + "/case.toml", {"--set", "supports=[{ at = { id = 1 }, fix = \"all\" }]", "--set",
                                   "loads=[{ at = { id = 7 }, force = [1, 0, 0] }]", "--set",

@@ -82,6 +82,9 @@ TEST(Cell, MistakesAreNamedWhereTheyStand) {
       {"[[particles]]\nline = { from = [0, 0, 0], step = [1, 0, 0], count = 3 }\nradius = 0.5\n"
        "[[bonds]]\nlaw = \"generic\"\nkn = 6e6\nks = 2e6\nkt = 1e5\nkb = 1e5\n[cell]\nsize = [3, 1, 1]\n",
        4, "bonded to its own image"},
+      {"[[particles]]\nline = { from = [0, 0, 0], step = [1, 0, 0], count = 3 }\nradius = 500\n"
+       "[[bonds]]\nlaw = \"generic\"\nkn = 6e6\nks = 2e6\nkt = 1e5\nkb = 1e5\n[cell]\nsize = [3, 1, 1]\n",
+       4, "bonds could be 1000 long, 333 times the cell's 3 along edge x"},
   };
   for (const BadCell& row : rows) {
     const auto faults = faults_of(row.text);

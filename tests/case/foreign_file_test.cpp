@@ -143,6 +143,33 @@ TEST(ForeignFile, ATableWithAllFourStiffnessesNeedsNoLaw) {
               ElementsAre(Field(&Fault::message, HasSubstr("needs law"))));
 }
 
+TEST(ForeignFile, HeadingsOfWordsAreNoNamesOfThisProjectsColumns) {
+  const Case given =
+      read_case_text("[[particles]]\nfile = \"p.csv\"\n[[bonds]]\nfile = \"b.csv\"\n", {},
+                     {{"p.csv",
+                       "Particle ID,Position X (mm),Position Y (mm),Position Z (mm),Diameter (mm)\n"
+                       "4,0,0,0,2\n7,2,0,0,2\n"},
+                      {"b.csv",
+                       "Particle A,Particle B,kn (kN/m),ks (kN/m),kt (N m),kb (N m)\n"
+                       "4,7,1,2,3,4\n"}});
+  ASSERT_EQ(given.model.bonds.size(), 1u);
+  EXPECT_EQ(given.model.bonds[0].branch, Vector3(0.002, 0, 0));
+  EXPECT_EQ(bond_properties(given.model).at(0).stiffness.kn, 1000);
+  EXPECT_TRUE(given.si);
+}
+
+TEST(ForeignFile, OfBondsIsNotAtFaultWhereItsParticlesAre) {
+  const std::string dump =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+      "ITEM: ENTRIES index c_1[1] c_1[2]\n1 5 6\n";
+  const std::string text =
+      "[[particles]]\nfile = \"p.csv\"\n[[bonds]]\nfile = \"b.local\"\n"
+      "bond_columns = [\"c_1[1]\", \"c_1[2]\"]\n" +
+      stiffness;
+  EXPECT_THAT(faults_of(text, {}, {{"p.csv", "id,x,y,z,radius\n5,0,0,0,1\n6,1,0,0,-1\n"}, {"b.local", dump}}),
+              ElementsAre(Field(&Fault::message, HasSubstr("must be positive"))));
+}
+
 struct Bad {
   const char* name;
   std::string text;  ///< of the file
@@ -180,7 +207,8 @@ INSTANTIATE_TEST_SUITE_P(All, BadForeignFile, testing::ValuesIn(bad),
 TEST(ForeignFile, WhoseBondsGoThroughPeriodicFacesNeedsACell) {
   // This project's own files say in their first line along which edges they repeat.
   const std::size_t first = data.find('\n'), box = data.find("-1 6");
-  const std::string near = "boundary = p f f" + data.substr(first, box - first) + "0 4.5 xlo xhi\n-2 2 ylo yhi\n-2 2 zlo zhi\n\n";
+  const std::string near =
+      "boundary = p f f" + data.substr(first, box - first) + "0 4.5 xlo xhi\n-2 2 ylo yhi\n-2 2 zlo zhi\n\n";
   const std::string across = near + atoms + "Bonds\n\n1 1 5 9\n2 2 6 9\n";
   EXPECT_THAT(faults_of(both + stiffness + rest, {}, {{"x.data", across}}),
               ElementsAre(Field(&Fault::message, HasSubstr("1 of its bonds go through its faces"))));

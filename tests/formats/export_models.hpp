@@ -36,18 +36,36 @@ inline Model mixed_model() {
   return model;
 }
 
+/// Two particles in the primitive cell of a face-centred lattice, whose bond is less than half of each edge
+/// but not the nearest image: that lies across two faces.
+inline Model skewed_pair() {
+  Model model;
+  Cell cell;
+  cell.edges << 1, 0.5, 0.5, 0, std::sqrt(0.75), std::sqrt(1.0 / 12), 0, 0, std::sqrt(2.0 / 3);
+  model.cell = cell;
+  add_particle(model, Vector3::Zero(), 0.2);
+  add_particle(model, 0.45 * (cell.edges.col(0) + cell.edges.col(1)), 0.2);
+  model.blocks = {block("generic", {{"kn", 1e6}, {"ks", 1e6}, {"kt", 10}, {"kb", 10}})};
+  add_bond(model, 0, 1);
+  for (Particle& particle : model.particles) particle.density = 1000;
+  fix_all(model, 0);
+  load(model, 1, vector6(0, 0, 1));
+  return model;
+}
+
 struct Exported {
   ScratchFolder folder;
   ExportNotes notes;
   std::vector<BondProperties> properties;
   StaticSolution solution;
 
-  Exported(const Model& model, const std::string& format, bool relaxed = false) {
+  Exported(const Model& model, const std::string& format, bool relaxed = false, bool si = false) {
     properties = bond_properties(model);
     solution = solve_statics(model, {});
     ExportInput input{.model = model, .properties = properties, .title = "a test"};
     input.state = &solution.cases.front();
     input.relaxed = relaxed;
+    input.si = si;
     input.time_step = 1e-6;
     input.steps = 100;
     input.particle_damping = 0.7;

@@ -138,6 +138,19 @@ TEST(ForeignTable, LawParametersStayWhatTheyAre) {
   EXPECT_EQ(model_of("a,b,young (GPa),poisson\n1,2,70,0.3\n").bond_columns.at("young").at(0), 70e9);
 }
 
+TEST(ForeignTable, UnitsOfAnglesSayNothingOfTheOthers) {
+  const ForeignModel model = model_of("a,b,kn,ks,kt,kb,friction_angle (deg)\n1,2,1,2,3,4,180\n");
+  EXPECT_FALSE(model.si);
+  EXPECT_THAT(model.notes.assumed, testing::IsEmpty());
+  EXPECT_DOUBLE_EQ(model.kept_columns.at("friction_angle").at(0), std::numbers::pi);
+}
+
+TEST(ForeignTable, VolumeThatMakesDensitiesIsTaken) {
+  const ForeignModel model = model_of("x,y,z,radius,volume,mass\n0,0,0,1,4,2\n");
+  EXPECT_EQ(model.particles.at(0).density, 0.5);
+  EXPECT_THAT(model.notes.left_out, testing::IsEmpty());
+}
+
 TEST(EdemExport, LastTimeInRowsOfValues) {
   const ForeignModel model = model_of(edem_rows);
   ASSERT_EQ(model.particles.size(), 2u);
@@ -171,6 +184,48 @@ TEST(EdemExport, QueriesOfDifferentLengthAreFaults) {
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults[0].place.line, 3);
   EXPECT_THAT(faults[0].message, HasSubstr("has 1 values, \"Q01 : Particle ID\" 2"));
+}
+
+TEST(EdemExport, ColumnsWithGapsInDifferentRowsAreFaults) {
+  const auto faults = faults_of(
+      "TIME:,0.4\n,Q01 : Particle ID:,Q02 : Particle Position X:,Q03 : Particle Position Y:,"
+      "Q04 : Particle Position Z:\n,1,0.5,0,0\n,2,,,\n,,1.5,0,0.25\n");
+  ASSERT_EQ(faults.size(), 3u);
+  EXPECT_EQ(faults[0].place.line, 5);
+  EXPECT_THAT(faults[0].message, HasSubstr("\"Q02 : Particle Position X\" has a value below an empty field"));
+}
+
+TEST(EdemExport, LinesOfManyQueriesAreReadInLinearTime) {
+  std::string line = "TIME: 1\n";
+  for (int i = 0; i < 100'000; ++i) line += "Q1:a,";
+  EXPECT_THAT(faults_of(line + '\n').at(0).message, HasSubstr("is there twice in a block"));
+}
+
+TEST(EdemExport, WhatNeedNotBeGivenMayBeEmpty) {
+  const ForeignModel model =
+      model_of("TIME:,0.4\n,Q01 : IDfirst:,Q02 : IDsecond:,Q03 : Bond Strength:\n,1,2,\n,2,3,7\n,3,4,\n");
+  ASSERT_EQ(model.bonds.size(), 3u);
+  const auto& strength = model.kept_columns.at("bond_strength");
+  EXPECT_TRUE(std::isnan(strength[0]) && std::isnan(strength[2]));
+  EXPECT_EQ(strength[1], 7);
+}
+
+TEST(StateTable, PartOfADisplacementOrATurnIsAFault) {
+  for (const char* text :
+       {"id,x,y,z,ux,uy\n1,0,0,0,1,1\n", "id,x,y,z,rx\n1,0,0,0,1\n", "id,x,y,z,qw,qx,qy\n1,0,0,0,1,0,0\n"}) {
+    const ScratchFolder folder;
+    std::vector<Fault> faults;
+    EXPECT_FALSE(read_state_table(folder.write("table.csv", text), {}, named_at, faults)) << text;
+    ASSERT_EQ(faults.size(), 1u) << text;
+    EXPECT_THAT(faults[0].message, HasSubstr("lacks"));
+    EXPECT_EQ(faults[0].place.column, 10);
+  }
+}
+
+TEST(StateTable, PartOfAnotherVectorIsNotedAsNotTaken) {
+  const ParticleState state = state_of("id,x,y,z,fz\n1,0,0,0,5\n");
+  EXPECT_TRUE(state.force.empty());
+  EXPECT_THAT(state.notes, ElementsAre(HasSubstr("fz")));
 }
 
 TEST(StateTable, OwnResultsArePositionPlusDisplacement) {
@@ -237,6 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadTable{"UnknownUnit", "x (parsec),y,z\n1,2,3\n", 1, 1, "unknown unit \"parsec\""},
         BadTable{"WrongUnit", "x (kg),y,z\n1,2,3\n", 1, 1, "not of this dimension"},
         BadTable{"TwoMeanings", "x,y,z,pos_x\n1,2,3,4\n", 1, 7, "\"x\" and \"pos_x\" mean the same"},
+        BadTable{"ParameterTwice", "a,b,young,Young (GPa)\n1,2,1e9,70\n", 1, 11, "young is given twice"},
         BadTable{"TangentialKt", "a,b,kn,kt\n1,2,3,4\n", 1, 8, "kt is the twisting stiffness"}),
     [](const auto& test) { return test.param.name; });
 

@@ -199,6 +199,13 @@ TEST(LammpsData, TypeLabelsStandForTypes) {
   EXPECT_EQ(model.bonds[0].type, 1);
 }
 
+TEST(LammpsData, ATypeLabelIsOfOneType) {
+  expect_fault(reader_with(),
+               "t\n\n2 atoms\n2 atom types\n\nAtom Type Labels\n\n1 rock\n2 rock\n\nAtoms # sphere\n\n"
+               "1 rock 1 1 0 0 0\n2 rock 1 1 0.25 0 0\n",
+               "label \"rock\" is there twice", 9);
+}
+
 TEST(LammpsData, BrokenBondsAndRepeatedNumbersAreTold) {
   const ForeignModel model = sound(changed(bpm_data, "1 2 1 2\n2 1 2 7", "1 0 1 2\n2 1 2 7"));
   EXPECT_EQ(model.bonds.size(), 1u);
@@ -285,6 +292,9 @@ TEST(LammpsData, FaultsSayWhatIsWrongAndHowToCureIt) {
       {with("2 atom types", "2 atom tipes"), "did you mean \"atom types\"", 4},
       {with("0 4 xlo xhi", "4 0 xlo xhi"), "the box has no volume", 10},
       {with("0 4 xlo xhi", "0 xlo xhi"), "1 numbers before \"xlo xhi\", which takes 2", 8},
+      {with("-1 6 zlo zhi", "nan 6 zlo zhi"), "zlo zhi = \"nan\" is not a number", 10},
+      {with("-1 6 zlo zhi", "-1 6 zlo zhi\n1 0 0 avec\n0 1 0 bvec\n0 0 1 cvec"), "two boxes", 13},
+      {with("-1 6 zlo zhi", "-1 6 zlo zhi\n1 2 3 abc origin"), "two boxes", 11},
       {with("0 5 ylo yhi", "0 4 xlo xhi"), "\"xlo xhi\" is there twice", 9},
       {with("1.1 2500", "-1.1 2500"), "diameter = -1.1 must be positive", 19},
       {with("1.1 2500", "0 2500"), "leave point particles out", 19},

@@ -16,6 +16,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 ParticleState state_of(const std::string& text, const ReadOptions& options = {}) {
   const ScratchFolder folder;
@@ -133,6 +134,12 @@ TEST(LammpsDump, QuaternionsAreFoundByNameOrByTheirValues) {
     const bool guessed = names[1] == '_';
     EXPECT_EQ(state.notes.size(), guessed ? 3u : 2u) << names;
   }
+  // Four columns among more, such as the six of a stress, are none.
+  const ParticleState behind_stress =
+      state_of(step_with("id x y z c_s[1] c_s[2] c_s[3] c_s[4] c_s[5] c_s[6] c_q[1] c_q[2] c_q[3] c_q[4]",
+                         "1 0 2 0 9 8 7 6 5 4 0.8 0 0.6 0\n2 1 2 0 9 8 7 6 5 4 0 1 0 0\n"));
+  ASSERT_EQ(behind_stress.orientation.size(), 2u);
+  EXPECT_NEAR(behind_stress.orientation[0].w(), 0.8, 1e-16);
   EXPECT_THAT(
       state_of(step_with("id x y z c_s[1] c_s[2] c_s[3] c_s[4]", "1 0 2 0 0.8 0 0.6 0\n2 1 2 0 1 1 0 0\n"))
           .orientation,
@@ -145,7 +152,8 @@ TEST(LammpsDump, QuaternionsAreFoundByNameOrByTheirValues) {
 TEST(LammpsDump, IsAModelWhereItHasRadii) {
   const ForeignModel model = model_of(custom_dump);
   EXPECT_EQ(model.format, "LAMMPS dump");
-  EXPECT_FALSE(model.si);  // the units stand in the first step only
+  EXPECT_TRUE(model.si);  // although the units stand above the first step only
+  EXPECT_THAT(model.notes.assumed, Not(Contains(HasSubstr("does not say its units"))));
   EXPECT_EQ(model.particles[0].radius, 0.6);
   EXPECT_EQ(model.particles[0].density, 2500);
   EXPECT_THAT(model.group_names, ElementsAre("type 1", "type 2"));

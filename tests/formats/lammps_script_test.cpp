@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "formats/lammps/apply_script.hpp"
@@ -10,6 +11,7 @@
 namespace bondstatic {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -115,6 +117,43 @@ TEST(LammpsScript, TakesTheFixesOfTheLastRun) {
       "3\n");
   ASSERT_EQ(script.fixes.size(), 2u);
   EXPECT_EQ(script.fixes[1].id(), "3");
+}
+
+TEST(LammpsScript, FollowsAVariableOnlyWhereItsValueIsCertain) {
+  // LAMMPS evaluates b when it is used: 6 here, not the 4 of the line that defines it.
+  const std::string chain =
+      "variable a equal 2\nvariable b equal v_a*2\nvariable c equal 1+v_b\nvariable ab equal 1\n";
+  EXPECT_EQ(sound(chain).variables.at("c"), "5");
+  EXPECT_EQ(sound(chain + "variable a equal 2\n").variables.at("c"), "5");
+  const LammpsScript changed = sound(chain + "variable a equal 3\n");
+  EXPECT_EQ(changed.variables.at("a"), "3");
+  EXPECT_EQ(changed.variables.at("ab"), "1");
+  EXPECT_FALSE(changed.variables.contains("b"));
+  EXPECT_FALSE(changed.variables.contains("c"));
+  // Fixes hold what the last run had, and so their variables.
+  EXPECT_EQ(sound("variable a equal 2\nrun 5\nvariable a equal 3\n").variables.at("a"), "2");
+  // A format rounds, by how much LAMMPS knows.
+  EXPECT_FALSE(read("variable a equal 1/3\nbond_style bpm/rotational\n"
+                    "bond_coeff 1 $(v_a:%.2f) 2 3 4 5 6 7 8 9 10 11 12\n")
+                   .script);
+}
+
+TEST(LammpsScript, AFileBeforeTheLastReadDataIsTold) {
+  const LammpsScript script = sound("read_data a.data\nread_data b.data add append\n");
+  EXPECT_THAT(script.data_file, HasSubstr("b.data"));
+  EXPECT_THAT(script.notes.left_out, Contains(HasSubstr("read_data a.data (line 1)")));
+}
+
+TEST(LammpsScript, ManyLinesOfOneCommandTakeTimeInProportion) {
+  std::string goes_on = "fix 1 all nve", quoted = "print \"\"\"";
+  for (int i = 0; i < 100'000; ++i) {
+    goes_on += " &\n 1";
+    quoted += "x\n";
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(sound(goes_on).fixes.at(0).command.arguments(), 100'003u);
+  sound(quoted + "\"\"\"\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
 TEST(LammpsScript, SaysWhatItDoesNotRead) {
@@ -272,6 +311,16 @@ TEST(LammpsFixes, WhatNothingIntegratesIsHeldUnlessOtherFixesMoveIt) {
   EXPECT_THAT(moved.setup->supports, IsEmpty());
 }
 
+TEST(LammpsFixes, ThatTurnNoParticleAreTold) {
+  for (const char* style : {"nve", "nve/sphere"})
+    EXPECT_THAT(
+        apply(std::string("bond_style bpm/rotational\nfix 1 all ") + style + "\n").model.notes.assumed,
+        Contains(HasSubstr("free to turn")))
+        << style;
+  EXPECT_THAT(apply("bond_style bpm/rotational\nfix 1 all nve/bpm/sphere\n").model.notes.assumed,
+              testing::Not(Contains(HasSubstr("free to turn"))));
+}
+
 TEST(LammpsFixes, OfAnUnknownGroupAreFaultsOfARegionAreLeftOut) {
   const Applied unknown = apply("fix 1 top addforce 1 0 0\n");
   ASSERT_EQ(unknown.faults.size(), 1u);
@@ -301,6 +350,26 @@ TEST(LammpsStiffness, GoesToTheBondsByTheirTypesTheLastOneHolds) {
   EXPECT_EQ(applied.model.kept_columns.at("strength_twisting")[0], 30);
   EXPECT_EQ(applied.model.kept_columns.at("strength_bending")[0], 40);
   EXPECT_EQ(applied.model.kept_columns.at("damping_twisting")[0], 8);
+}
+
+TEST(LammpsStiffness, OfManyTypesTakesTimeInProportion) {
+  constexpr Index bonds = 50'000;
+  std::string text = "boundary f f f\nbond_style bpm/rotational\nbond_coeff *7 1 1 1 1 1 1 1 1 1 1 1 1\n";
+  for (Index type = 5; type <= bonds; ++type)
+    text +=
+        "bond_coeff " + std::to_string(type) + " " + std::to_string(2 * type) + " 1 1 1 1 1 1 1 1 1 1 1\n";
+  text += "bond_coeff 6*8 3 1 1 1 1 1 1 1 1 1 1 1\n";
+  const LammpsScript script = sound(text);
+  ForeignModel model = row_of_six();
+  model.bonds.clear();
+  for (Index k = 0; k < bonds; ++k) model.bonds.push_back({k, 1, 2, k + 1});
+  std::vector<Fault> faults;
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(apply_script(script, model, faults));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+  const std::vector<double>& kn = model.bond_columns.at("kn");
+  EXPECT_EQ(std::vector(kn.begin(), kn.begin() + 9), (std::vector<double>{1, 1, 1, 1, 10, 3, 3, 3, 18}));
+  EXPECT_EQ(kn.back(), 2.0 * bonds);
 }
 
 TEST(LammpsStiffness, NormalizedIsDividedByTheLength) {

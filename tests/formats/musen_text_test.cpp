@@ -117,6 +117,7 @@ TEST(MusenText, FaultsSayWhereAndWhat) {
   expect_fault(reader, scene + "0 8 1 77 5 0.1\n", "type 77 of an object is unknown", 11);
   expect_fault(reader, scene + "0 8 5 1 1\n", "before the type", 11);
   expect_fault(reader, scene + "0 3 1 1 5 1 1 2 1 12 0 0 0\n", "3 is there twice", 11);
+  expect_fault(reader, scene + "0 8 1 1 5 1 1 2 0 12 0 0 0 2 1\n", "object 8: no coordinates at time 1", 11);
   expect_fault(reader, "22 0 0 0 1 1 1\n", "no spheres", 1);
   expect_robust(reader, scene);
 }

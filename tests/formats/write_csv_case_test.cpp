@@ -61,6 +61,11 @@ TEST(CsvCase, KeepsLoadCasesPrescribedMotionsAndRepeatedLoads) {
   EXPECT_LT(round_trip(model), 1e-14);
 }
 
+TEST(CsvCase, SaysThatATableMeansTheNearestImage) {
+  EXPECT_THAT(joined(Exported(skewed_pair(), "csv").notes.not_expressed),
+              testing::HasSubstr("1 of 1 bonds do not go to the one nearest image"));
+}
+
 TEST(CsvCase, ParticlesWithoutDensityStandInATableOfTheirOwn) {
   Model model = mixed_model();
   model.particles[3].density = not_given;

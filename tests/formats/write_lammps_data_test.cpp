@@ -41,6 +41,12 @@ TEST(LammpsDataRoundTrip, GivesParticlesAndBondsToTheLastBit) {
   }
 }
 
+TEST(LammpsDataRoundTrip, KeepsThatNumbersAreSi) {
+  const Model model = mixed_model();
+  EXPECT_FALSE(read_back(Exported(model, "lammps").path("model.data")).si);
+  EXPECT_TRUE(read_back(Exported(model, "lammps", false, true).path("model.data")).si);
+}
+
 TEST(LammpsDataRoundTrip, ShiftsIdsThatBeginAtZeroAndSaysSo) {
   Model model = mixed_model();
   for (Particle& particle : model.particles) particle.id -= 1;

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "bondstatic/error.hpp"
 #include "export_models.hpp"
 
 namespace bondstatic::test {
@@ -153,6 +154,38 @@ TEST(LammpsDeck, SaysWhatLammpsCannotCarry) {
   EXPECT_THAT(joined(exported.notes.not_expressed), HasSubstr("another contact point than mid-length"));
   EXPECT_THAT(exported.text("in.lammps"), HasSubstr("# ANOTHER MODEL:"));
   EXPECT_THAT(joined(Exported(mixed_model(), "lammps").notes.not_expressed), testing::IsEmpty());
+}
+
+TEST(LammpsDeck, SaysWhichBondsGoToAnotherImageThanTheNearest) {
+  Model model = skewed_pair();
+  EXPECT_THAT(joined(Exported(model, "lammps").notes.not_expressed),
+              HasSubstr("1 of 1 bonds do not go to the one nearest image"));
+  // More than half of an edge, and the nearest image all the same.
+  model.bonds[0].branch = 0.55 * model.cell->edges.col(0) - 0.3 * model.cell->edges.col(1);
+  model.particles[1].position = model.bonds[0].branch;
+  EXPECT_THAT(Exported(model, "lammps").notes.not_expressed, testing::IsEmpty());
+}
+
+TEST(LammpsDeck, IsRefusedWhereThereAreNoBonds) {
+  Model model;
+  add_particle(model, Vector3::Zero(), 1);
+  fix_all(model, 0);
+  for (const char* format : {"lammps", "liggghts"}) try {
+      Exported(model, format);
+      ADD_FAILURE() << format << " was written";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::invalid_input);
+      EXPECT_THAT(error.what(), HasSubstr("no bonds"));
+    }
+}
+
+TEST(LammpsDeck, DumpsTheIdsOfTheCaseWhereItsOwnAreOthers) {
+  Model model = mixed_model();
+  EXPECT_THAT(Exported(model, "lammps").text("in.lammps"), HasSubstr("dump.final id type"));
+  for (Particle& particle : model.particles) particle.id -= 1;
+  EXPECT_THAT(Exported(model, "lammps").text("in.lammps"),
+              AllOf(HasSubstr("variable     case_id atom id-1\n"), HasSubstr("dump.final v_case_id type"),
+                    HasSubstr("dump_modify  d colname v_case_id id\n")));
 }
 
 TEST(LammpsDeck, ATitleCannotJoinOrOpenLines) {

@@ -43,6 +43,11 @@ TEST(LiggghtsExport, AtomsHaveTheColumnsOfGranularAndThenOfBonds) {
   EXPECT_THAT(joined(exported.notes.remarks), HasSubstr("density 1"));
 }
 
+TEST(LiggghtsExport, SaysWhichBondsGoToAnotherImageThanTheNearest) {
+  EXPECT_THAT(joined(Exported(skewed_pair(), "liggghts").notes.not_expressed),
+              HasSubstr("1 of 1 bonds do not go to the one nearest image"));
+}
+
 TEST(LiggghtsExport, SaysWhatItCannotCarry) {
   const Exported exported(mixed_model(), "liggghts", true);
   EXPECT_THAT(joined(exported.notes.not_expressed),

@@ -25,6 +25,7 @@ EffectiveStiffness stiffness_of(const Model& model, const std::string& solver = 
   options.solver = solver;
   const auto solution = solve_statics(model, options);
   for (const LoadCaseResult& result : solution.cases) {
+    EXPECT_LT(result.accuracy.force_balance, 1e-13);
     EXPECT_LT(result.accuracy.energy_balance, 1e-13);
     EXPECT_LT(result.accuracy.moment_balance, 1e-13);
   }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <unordered_map>
 
-#include "formats/lammps/bpm_rotational.hpp"
+#include "formats/lammps/bond_coeffs.hpp"
 #include "formats/packing_facts.hpp"
 
 namespace bondstatic {
@@ -32,7 +32,15 @@ class Application {
       : script_(script),
         model_(model),
         faults_(faults),
-        members_(script_group_members(script.groups, model, faults)) {}
+        members_(script_group_members(script.groups, model, faults)) {
+    for (std::size_t c = 0; c < script.bond_coefficients.size(); ++c) {
+      const WholeRange& types = script.bond_coefficients[c].types;
+      if (types.first == types.last)
+        last_of_type_[types.first] = c;
+      else
+        of_several_types_.push_back(c);
+    }
+  }
 
   ForeignSetup run() {
     forget_doubts();
@@ -71,24 +79,29 @@ class Application {
                          "give the data file, or a dump, which have it"});
   }
 
-  std::vector<double>& column(std::map<std::string, std::vector<double>>& columns, const std::string& name) {
-    std::vector<double>& values = columns[name];
-    values.resize(model_.bonds.size(), not_given);
-    return values;
-  }
-
   /// The last bond_coeff that covers the type holds, as in LAMMPS.
   const ScriptBondCoefficients* coefficients_of(Index type) const {
-    for (auto c = script_.bond_coefficients.rbegin(); c != script_.bond_coefficients.rend(); ++c)
-      if (c->types.contains(type)) return &*c;
-    return nullptr;
+    const auto& all = script_.bond_coefficients;
+    const auto one = last_of_type_.find(type);
+    const ScriptBondCoefficients* last = one == last_of_type_.end() ? nullptr : &all[one->second];
+    for (auto c = of_several_types_.rbegin(); c != of_several_types_.rend(); ++c)
+      if (last >= &all[*c])
+        break;
+      else if (all[*c].types.contains(type))
+        return &all[*c];
+    return last;
   }
 
   void take_stiffness() {
-    if (model_.bonds.empty()) return;
+    if (!model_.bonds.empty() && !script_.bond_coefficients.empty()) take_coefficients();
+    if (script_.normalize) normalize();
+  }
+
+  void take_coefficients() {
     std::map<Index, Index> bonds_without;  // by type
     Index taken = 0;
-    for (std::size_t k = 0; k < model_.bonds.size() && !script_.bond_coefficients.empty(); ++k) {
+    std::array<std::vector<double>*, bpm_rotational_columns.size()> columns{};
+    for (std::size_t k = 0; k < model_.bonds.size(); ++k) {
       const Index type = model_.bonds[k].type;
       const ScriptBondCoefficients* found = coefficients_of(type);
       // Bonds without a type: where there is one kind only, they are of it.
@@ -98,10 +111,8 @@ class Application {
         ++bonds_without[type];
         continue;
       }
-      ++taken;
-      for (std::size_t c = 0; c < bpm_rotational_columns.size(); ++c)
-        column(c < bpm_rotational_stiffnesses ? model_.bond_columns : model_.kept_columns,
-               bpm_rotational_columns[c])[k] = found->numbers[c];
+      if (taken++ == 0) columns = bpm_rotational_values(model_);
+      for (std::size_t c = 0; c < columns.size(); ++c) (*columns[c])[k] = found->numbers[c];
     }
     if (taken > 0)
       notes().taken.push_back(
@@ -109,9 +120,9 @@ class Application {
                       "are kn ks kt kb, contact point at mid-length.",
                       taken, model_.bonds.size()));
     for (const auto& [type, count] : bonds_without)
-      notes().left_out.push_back(fmt::format("bond_coeff says nothing of {} of type {}.",
-                                             count == 1 ? "a bond" : fmt::format("{} bonds", count), type));
-    if (script_.normalize) normalize();
+      notes().left_out.push_back(fmt::format("bond_coeff says nothing of {} {}.",
+                                             count == 1 ? "a bond" : fmt::format("{} bonds", count),
+                                             type < 0 ? "without a type" : fmt::format("of type {}", type)));
   }
 
   void normalize() {
@@ -241,6 +252,7 @@ class Application {
       return;
     }
     if (integrates(style)) {
+      note_turning(fix);
       moved_.resize(members->size());
       for (std::size_t p = 0; p < members->size(); ++p) moved_[p] |= (*members)[p];
     } else if (style == "freeze") {
@@ -254,6 +266,15 @@ class Application {
     } else if (const auto force = three_numbers(fix, 4, "fix ID GROUP addforce FX FY FZ")) {
       load(fix, *force, false, *members);
     }
+  }
+
+  /// Only nve/bpm/sphere turns the quaternions that bpm/rotational looks at (documentation, "Howto bpm").
+  void note_turning(const ScriptFix& fix) {
+    if (script_.bond_style != "bpm/rotational" || fix.style().starts_with("nve/bpm/sphere")) return;
+    notes().assumed.push_back(
+        fmt::format("{} (line {}): its particles are taken as free to turn, though of LAMMPS's fixes only "
+                    "nve/bpm/sphere turns them.",
+                    fix.command.text(), fix.command.line));
   }
 
   /// Particles that no fix integrates stay where they are. Where other fixes move particles, or nothing is
@@ -275,6 +296,8 @@ class Application {
   ForeignModel& model_;
   std::vector<Fault>& faults_;
   std::map<std::string, Members> members_;
+  std::unordered_map<Index, std::size_t> last_of_type_;  ///< of bond_coeff of one type, in their list
+  std::vector<std::size_t> of_several_types_;            ///< likewise, ascending
   ForeignSetup setup_;
   std::vector<char> moved_, held_;  ///< by integrating fixes; in all six degrees of freedom; empty: nobody
   bool moves_otherwise_ = false;

@@ -15,7 +15,7 @@ namespace bondstatic {
 ///
 ///     fix freeze               holds all six degrees of freedom
 ///     fix setforce 0 NULL 0    holds the directions with 0: nothing accelerates them
-///     no fix nve... at all     holds: LAMMPS does not move what nothing integrates
+///     no fix nve... of them    holds, where others have one: LAMMPS moves what is integrated
 ///     fix addforce fx fy fz    a force on each particle
 ///     fix gravity g vector     an acceleration
 ///

@@ -66,15 +66,20 @@ BondCoefficients read_bond_coefficients(DataSections& sections, RowFields& field
   return coefficients;
 }
 
+std::array<std::vector<double>*, bpm_rotational_columns.size()> bpm_rotational_values(ForeignModel& model) {
+  std::array<std::vector<double>*, bpm_rotational_columns.size()> values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    auto& columns = i < bpm_rotational_stiffnesses ? model.bond_columns : model.kept_columns;
+    values[i] = &columns[bpm_rotational_columns[i]];
+    values[i]->resize(model.bonds.size(), not_given);
+  }
+  return values;
+}
+
 void spread_bond_coefficients(const BondCoefficients& coefficients, const Place& section, ForeignModel& model,
                               std::vector<Fault>& faults) {
   if (coefficients.empty()) return;
-  std::array<std::vector<double>*, bpm_rotational_columns.size()> column;
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    auto& columns = i < bpm_rotational_stiffnesses ? model.bond_columns : model.kept_columns;
-    column[i] = &columns[bpm_rotational_columns[i]];
-    column[i]->assign(model.bonds.size(), not_given);
-  }
+  const auto column = bpm_rotational_values(model);
   std::set<Index> missing;
   for (std::size_t k = 0; k < model.bonds.size(); ++k) {
     const auto found = coefficients.find(model.bonds[k].type);

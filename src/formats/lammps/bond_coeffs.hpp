@@ -3,7 +3,7 @@
 
 #include <array>
 #include <map>
-#include <string>
+#include <vector>
 
 #include "formats/foreign_model.hpp"
 #include "formats/lammps/bpm_rotational.hpp"
@@ -17,6 +17,9 @@ using BondCoefficients = std::map<Index, std::array<double, bpm_rotational_colum
 /// Reads the section's rows; those of other bond styles are left out, and told.
 BondCoefficients read_bond_coefficients(DataSections& sections, RowFields& fields, const TypeNumbers& types,
                                         ImportNotes& notes);
+
+/// The model's columns of the twelve, each as long as its bonds: made, of NaN, where there are none.
+std::array<std::vector<double>*, bpm_rotational_columns.size()> bpm_rotational_values(ForeignModel& model);
 
 /// As columns of the model's bonds; types without coefficients are a fault.
 void spread_bond_coefficients(const BondCoefficients& coefficients, const Place& section, ForeignModel& model,

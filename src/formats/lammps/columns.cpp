@@ -31,7 +31,7 @@ class Names {
     return columns;
   }
 
-  /// c_NAME[1] ... c_NAME[4] in a row, or f_NAME likewise, not used for anything else.
+  /// c_NAME[1] ... c_NAME[4] in a row and no c_NAME[5], or f_NAME likewise, not used for anything else.
   std::optional<std::array<int, 4>> four_of_a_compute() {
     for (std::size_t at = 0; at + 4 <= names_.size(); ++at) {
       const std::string& first = names_[at];
@@ -39,7 +39,7 @@ class Names {
         continue;
       const std::string base = first.substr(0, first.size() - 3);
       std::array<std::string, 4> group;
-      bool in_a_row = true;
+      bool in_a_row = at + 4 == names_.size() || names_[at + 4] != base + "[5]";
       for (std::size_t i = 0; i < 4; ++i) {
         group[i] = fmt::format("{}[{}]", base, i + 1);
         in_a_row = in_a_row && names_[at + i] == group[i];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace bondstatic {
 namespace {
@@ -10,17 +11,36 @@ namespace {
 constexpr std::size_t longest_command = 1 << 20;
 constexpr std::string_view blanks = " \t\r\f\v";
 
-/// Quotes that a text leaves open: ", ' or """; empty where none.
-std::string open_quote(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '#') return "";
-    if (text[i] != '"' && text[i] != '\'') continue;
-    const std::string quote = text.substr(i).starts_with("\"\"\"") ? "\"\"\"" : std::string(1, text[i]);
-    const std::size_t end = text.find(quote, i + quote.size());
-    if (end == std::string_view::npos) return quote;
-    i = end + quote.size() - 1;
+/// Which quote the lines of a command leave open.
+struct OpenQuote {
+  std::string quote;  ///< ", ' or """; empty where none
+  bool comment = false;
+
+  void read(std::string_view line) {
+    for (std::size_t i = 0; i < line.size() && !comment;) {
+      if (!quote.empty()) {
+        const std::size_t end = line.find(quote, i);
+        if (end == std::string_view::npos) return;
+        i = end + quote.size();
+        quote.clear();
+      } else if (line[i] == '"' || line[i] == '\'') {
+        quote = line.substr(i).starts_with("\"\"\"") ? "\"\"\"" : std::string(1, line[i]);
+        i += quote.size();
+      } else {
+        comment = line[i++] == '#';
+      }
+    }
   }
-  return "";
+};
+
+/// Whether a formula asks for the value of a variable, named "v_NAME".
+bool asks_for(std::string_view formula, std::string_view variable) {
+  const auto goes_on = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); };
+  for (std::size_t at = 0; (at = formula.find(variable, at)) != std::string_view::npos; ++at) {
+    const std::size_t end = at + variable.size();
+    if (end == formula.size() || !goes_on(formula[end])) return true;
+  }
+  return false;
 }
 
 /// The value of the $ expression at the beginning of `text` and how long the expression is; length 0 where
@@ -39,7 +59,8 @@ Expansion expansion(std::string_view text, const ScriptVariables& variables) {
     }
     if (end == text.size()) return {};
     const std::string_view inside = text.substr(2, end - 2);
-    const auto number = constant_formula(inside.substr(0, inside.find(":%")), variables);
+    // A format after :% rounds the number, and is refused as no part of a formula.
+    const auto number = constant_formula(inside, variables);
     return number ? Expansion{fmt::format("{}", *number), end + 1} : Expansion{};
   }
   const bool braces = text[1] == '{';
@@ -109,10 +130,12 @@ bool CommandReader::join_lines(std::string& text, int& line, std::vector<Fault>&
   if (!first) return false;
   text = *first;
   line = lines_.line();
+  OpenQuote open;
+  open.read(text);
   while (true) {
     const std::size_t last = text.find_last_not_of(blanks);
     const bool goes_on = last != std::string::npos && text[last] == '&';
-    const std::string quote = open_quote(text);
+    const std::string& quote = open.quote;
     if (!goes_on && quote != "\"\"\"") {
       if (quote.empty()) return true;
       faults.push_back({{lines_.file(), line, 1},
@@ -135,6 +158,7 @@ bool CommandReader::join_lines(std::string& text, int& line, std::vector<Fault>&
     }
     if (quote == "\"\"\"") text += '\n';
     text += *more;
+    open.read(*more);
   }
 }
 
@@ -144,13 +168,37 @@ void CommandReader::follow_variable(const ScriptCommand& command) {
   const std::string& style = command.word(2);
   std::string value;
   for (std::size_t i = 3; i < command.words.size(); ++i) value += (i > 3 ? " " : "") + command.word(i);
-  if (style == "index" && variables_.count(name)) return;  // keeps what it was
+  const auto known = variables_.find(name);
+  if (style == "index" && known != variables_.end()) return;  // keeps what it was
+  const std::optional<std::string> before =
+      known == variables_.end() ? std::nullopt : std::optional(known->second);
   variables_.erase(name);
-  if (command.arguments() < 3) return;
-  const auto number = constant_formula(value, variables_);
-  if (number && (style == "equal" || style == "internal")) variables_[name] = fmt::format("{}", *number);
-  if (style == "string") variables_[name] = value;
-  if (style == "index") variables_[name] = command.word(3);
+  formulas_.erase(name);
+  if (command.arguments() >= 3 && (style == "equal" || style == "internal")) {
+    if (const auto number = constant_formula(value, variables_)) {
+      variables_[name] = fmt::format("{}", *number);
+      formulas_[name] = value;
+    }
+  } else if (command.arguments() >= 3 && (style == "string" || style == "index")) {
+    variables_[name] = style == "string" ? value : command.word(3);
+  }
+  const auto now = variables_.find(name);
+  if (before && (now == variables_.end() || now->second != *before)) forget_what_uses(name);
+}
+
+/// LAMMPS evaluates a formula where it is used, with the values there.
+void CommandReader::forget_what_uses(const std::string& name) {
+  std::vector<std::string> changed{name};
+  while (!changed.empty()) {
+    const std::string used = "v_" + changed.back();
+    changed.pop_back();
+    std::erase_if(formulas_, [&](const auto& formula) {
+      if (!asks_for(formula.second, used)) return false;
+      variables_.erase(formula.first);
+      changed.push_back(formula.first);
+      return true;
+    });
+  }
 }
 
 std::optional<ScriptCommand> CommandReader::next(std::vector<Fault>& faults) {

@@ -36,7 +36,6 @@ class CommandReader {
   /// them out as well.
   std::optional<ScriptCommand> next(std::vector<Fault>& faults);
 
-  bool failed() const { return lines_.failed(); }
   const ScriptVariables& variables() const { return variables_; }
 
  private:
@@ -44,9 +43,11 @@ class CommandReader {
 
   bool join_lines(std::string& text, int& line, std::vector<Fault>& faults);
   void follow_variable(const ScriptCommand& command);
+  void forget_what_uses(const std::string& name);
 
   LineReader lines_;
   ScriptVariables variables_;
+  ScriptVariables formulas_;  ///< of those that have one
 };
 
 }  // namespace bondstatic

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -79,7 +80,7 @@ class Header {
     while ((line = reader_.next(faults_))) {
       fields_.take(*line);
       if (fields_.size() == 0) continue;
-      if (std::isnan(number_field(fields_.text(0)))) {
+      if (!is_number_field(fields_.text(0))) {
         end_.section = std::string(*line);
         break;
       }
@@ -94,7 +95,7 @@ class Header {
  private:
   void keyword() {
     std::size_t numbers = 0;
-    while (numbers < fields_.size() && !std::isnan(number_field(fields_.text(numbers)))) ++numbers;
+    while (numbers < fields_.size() && is_number_field(fields_.text(numbers))) ++numbers;
     std::string name;
     for (std::size_t i = numbers; i < fields_.size(); ++i)
       name += (name.empty() ? "" : " ") + std::string(fields_.text(i));
@@ -136,7 +137,16 @@ class Header {
   void make_box() {
     Cell& cell = end_.header.box;
     cell.periodic = {false, false, false};
-    const bool general = box_.contains("avec") || box_.contains("bvec") || box_.contains("cvec");
+    const auto any_of = [&](std::initializer_list<const char*> names) {
+      return std::any_of(names.begin(), names.end(), [&](const char* name) { return box_.contains(name); });
+    };
+    const bool general = any_of({"avec", "bvec", "cvec", "abc origin"});
+    if (general && any_of({"xlo xhi", "ylo yhi", "zlo zhi", "xy xz yz"})) {
+      faults_.push_back({{reader_.file(), box_line_, 1},
+                         "the header gives two boxes",
+                         "give either xlo xhi, ylo yhi, zlo zhi, xy xz yz, or avec, bvec, cvec, abc origin"});
+      return;
+    }
     const auto axis = [](const std::array<double, 3>& of) { return Vector3(of[0], of[1], of[2]); };
     if (general) {
       cell.origin = axis(of_box("abc origin", {0, 0, 0}));

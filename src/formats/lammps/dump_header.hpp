@@ -15,7 +15,7 @@ namespace bondstatic {
 struct DumpHeader {
   Index step = 0;
   double time = not_given;
-  std::string units;            ///< of the first step only, and where dump_modify asked for it
+  std::string units;            ///< above the first step only, and where dump_modify asked for it
   Index rows = 0;               ///< announced
   std::string label;            ///< "ATOMS", "ENTRIES", or what dump_modify label says
   std::optional<Cell> box;      ///< periodic as its letters say; nothing where the dump has no box

@@ -57,6 +57,13 @@ bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t") == std::string_view::npos;
 }
 
+HeaderEnd read_header_of(const DumpStep& step, LineReader& reader, DumpHeader& header,
+                         std::vector<Fault>& faults) {
+  reader.go_to(step.offset, step.line, faults);
+  const auto line = reader.next(faults);
+  return line ? read_dump_header(reader, *line, header, faults) : HeaderEnd::at_fault;
+}
+
 }  // namespace
 
 std::optional<std::vector<DumpStep>> find_dump_steps(LineReader& reader,
@@ -114,10 +121,11 @@ std::optional<DumpRows> read_dump_rows(const std::string& path, const ReadOption
   rows.steps = Index(steps->size());
   rows.repeated = std::count_if(steps->begin(), steps->end(),
                                 [&](const DumpStep& other) { return other.step == step->step; }) > 1;
-  reader->go_to(step->offset, step->line, faults);
-  const auto first = reader->next(faults);
-  if (!first || read_dump_header(*reader, *first, rows.header, faults) != HeaderEnd::rows)
+  if (read_header_of(steps->front(), *reader, rows.header, faults) == HeaderEnd::at_fault)
     return std::nullopt;
+  const std::string units = rows.header.units;
+  if (read_header_of(*step, *reader, rows.header, faults) != HeaderEnd::rows) return std::nullopt;
+  if (rows.header.units.empty()) rows.header.units = units;
   const std::vector<WantedColumn> wanted = choose(rows.header, faults);
   if (faults.size() != before) return std::nullopt;
 

@@ -9,13 +9,14 @@
 #include <map>
 #include <set>
 
+#include "formats/lammps/bpm_rotational.hpp"
 #include "io/nearest_name.hpp"
 #include "io/number_field.hpp"
 
 namespace bondstatic {
 namespace {
 
-constexpr std::size_t bpm_coefficients = 12;
+constexpr std::size_t bpm_coefficients = bpm_rotational_columns.size();
 constexpr std::size_t most_faults = 20;
 
 /// Commands that say nothing of a state of rest: output, neighbour lists, communication, time.
@@ -45,10 +46,11 @@ bool changes_model(const std::string& name) {
 
 class ScriptReader {
  public:
-  ScriptReader(LammpsScript& script, std::vector<Fault>& faults) : script_(script), faults_(faults) {}
+  /// `variables` are those at the command that is taken.
+  ScriptReader(LammpsScript& script, const ScriptVariables& variables, std::vector<Fault>& faults)
+      : script_(script), variables_(variables), faults_(faults) {}
 
-  void take(const ScriptCommand& command, const ScriptVariables& variables) {
-    variables_ = &variables;
+  void take(const ScriptCommand& command) {
     using Handler = void (ScriptReader::*)(const ScriptCommand&);
     static const std::map<std::string, Handler, std::less<>> handlers{
         {"units", &ScriptReader::units},           {"atom_style", &ScriptReader::atom_style},
@@ -72,6 +74,7 @@ class ScriptReader {
 
   void finish() {
     if (ran_) script_.fixes = fixes_at_run_;
+    script_.variables = ran_ ? variables_at_run_ : variables_;
     if (!boundary_said_)
       script_.notes.assumed.push_back(
           "The script has no boundary command: LAMMPS's default, periodic in all directions.");
@@ -81,8 +84,7 @@ class ScriptReader {
     for (const auto& [name, lines] : changing_)
       script_.notes.left_out.push_back(
           fmt::format("{} (line {}) is not executed, though it may change the model: import the packing as "
-                      "it is after it, "
-                      "from a data file or a dump.",
+                      "it is after it, from a data file or a dump.",
                       name, lines));
     if (!silent_.empty())
       script_.notes.left_out.push_back(fmt::format("Commands without a part in a state of rest: {}.",
@@ -122,8 +124,7 @@ class ScriptReader {
     if (style == "real" || style == "metal" || style == "electron")
       script_.notes.assumed.push_back(
           fmt::format("Units {}: masses and forces are not consistent in them, so that gravity and runs "
-                      "through time need "
-                      "other densities.",
+                      "through time need other densities.",
                       style));
   }
 
@@ -156,6 +157,10 @@ class ScriptReader {
         if (command.word(i) == key)
           script_.notes.left_out.push_back(
               fmt::format("read_data ... {} (line {}): the file is taken as it is.", key, command.line));
+    if (!script_.data_file.empty())
+      script_.notes.left_out.push_back(fmt::format(
+          "{} (line {}): only the file of the last read_data is read.", read_data_, script_.data_place.line));
+    read_data_ = command.text();
     const std::filesystem::path named = command.word(1);
     const auto folder = std::filesystem::path(script_.file).parent_path();
     script_.data_file = (named.is_absolute() ? named : folder / named).lexically_normal().string();
@@ -199,9 +204,8 @@ class ScriptReader {
       script_.notes.taken.push_back("normalize yes: kn and ks are kr and ks over the bond's length.");
     if (smooth)
       script_.notes.left_out.push_back(
-          "smooth yes (the default): LAMMPS softens bonds by 1 - B^4 as they come near their strength, B = "
-          "1; "
-          "the static answer does not.");
+          "smooth yes (the default): LAMMPS softens bonds by 1 - B^4 as they come near their strength, "
+          "B = 1; the static answer does not.");
     if (breaks) script_.notes.left_out.push_back("break yes (the default): bonds that fail; here all hold.");
   }
 
@@ -237,10 +241,10 @@ class ScriptReader {
                    "write a type from 1, or a range: *, 2*, *3, 2*3");
     ScriptBondCoefficients coefficients{*types, {}, command.place()};
     for (std::size_t i = 2; i < command.words.size(); ++i)
-      if (const auto number = script_number(command, i, *variables_, faults_))
+      if (const auto number = script_number(command, i, variables_, faults_))
         coefficients.numbers.push_back(*number);
     if (coefficients.numbers.size() < bpm_coefficients) return;
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < bpm_rotational_stiffnesses; ++i)
       if (coefficients.numbers[i] < 0)
         fault(command.place(i + 2), fmt::format("stiffness {} is negative", coefficients.numbers[i]),
               "kr, ks, kt, kb are not negative");
@@ -248,11 +252,11 @@ class ScriptReader {
   }
 
   void pair_style(const ScriptCommand& command) {
-    pair_style_ = command.arguments() > 0 ? command.word(1) : "";
-    if (pair_style_ == "none" || pair_style_ == "zero") return;
+    const std::string style = command.arguments() > 0 ? command.word(1) : "";
+    if (style == "none" || style == "zero") return;
     script_.notes.left_out.push_back(
-        fmt::format("pair_style {} (line {}): contact forces between particles that no bond joins.",
-                    pair_style_, command.line));
+        fmt::format("pair_style {} (line {}): contact forces between particles that no bond joins.", style,
+                    command.line));
   }
   void pair_coeff(const ScriptCommand&) {}  // said with its pair_style
 
@@ -278,17 +282,19 @@ class ScriptReader {
 
   void run(const ScriptCommand&) {
     fixes_at_run_ = script_.fixes;
+    variables_at_run_ = variables_;
     ran_ = true;
   }
 
   LammpsScript& script_;
+  const ScriptVariables& variables_;
   std::vector<Fault>& faults_;
-  const ScriptVariables* variables_ = nullptr;
   std::map<std::string, std::size_t> said_;               ///< of each kind of fault, which its cure tells
   std::map<std::string, std::string> changing_, unread_;  ///< lines of each command that is not followed
   std::set<std::string> silent_;
   std::vector<ScriptFix> fixes_at_run_;
-  std::string pair_style_;
+  ScriptVariables variables_at_run_;
+  std::string read_data_;  ///< the command that named script_.data_file
   bool ran_ = false, boundary_said_ = false, units_said_ = false;
 };
 
@@ -322,10 +328,9 @@ std::optional<LammpsScript> read_lammps_script(const std::string& path, const Pl
   if (!commands) return std::nullopt;
   LammpsScript script;
   script.file = path;
-  ScriptReader reader(script, faults);
-  while (const auto command = commands->next(faults)) reader.take(*command, commands->variables());
+  ScriptReader reader(script, commands->variables(), faults);
+  while (const auto command = commands->next(faults)) reader.take(*command);
   reader.finish();
-  script.variables = commands->variables();
   if (faults.size() != before) return std::nullopt;
   return script;
 }

@@ -41,7 +41,7 @@ struct LammpsScript {
   std::vector<ScriptBondCoefficients> bond_coefficients;
   std::vector<ScriptGroup> groups;
   std::vector<ScriptFix> fixes;  ///< in force at the last run or minimize, or at the end where there is none
-  ScriptVariables variables;     ///< at the end
+  ScriptVariables variables;     ///< where the fixes are in force
   ImportNotes notes;
 };
 

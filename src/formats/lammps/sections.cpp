@@ -1,7 +1,6 @@
 #include "formats/lammps/sections.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/nearest_name.hpp"
 #include "io/number_field.hpp"
@@ -68,9 +67,8 @@ DataSections::DataSections(LineReader& reader, std::string first, const ReadOpti
 /// Rows begin with a number, or with a type label that numbers follow; names of sections are words.
 bool DataSections::names_a_section(std::string_view line) {
   split_at_blanks(line, words_);
-  return !words_.empty() && std::all_of(words_.begin(), words_.end(), [](std::string_view word) {
-    return std::isnan(number_field(word)) && word != "nan" && word != "-nan";
-  });
+  return !words_.empty() && std::all_of(words_.begin(), words_.end(),
+                                        [](std::string_view word) { return !is_number_field(word); });
 }
 
 bool DataSections::next_section() {

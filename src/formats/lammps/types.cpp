@@ -1,5 +1,7 @@
 #include "formats/lammps/types.hpp"
 
+#include <fmt/format.h>
+
 namespace bondstatic {
 
 std::optional<Index> TypeNumbers::number(RowFields& fields, std::size_t field, Index lowest) const {
@@ -17,7 +19,9 @@ void TypeNumbers::read_labels(DataSections& sections, const LineReader& reader, 
     if (fields.size() < 2)
       fields.fault(0, "a label needs its type's number before it", "write \"1 NAME\"");
     else if (const auto type = fields.whole_number(0, name_, 1, highest_))
-      labels_[std::string(fields.text(1))] = *type;
+      if (!labels_.emplace(fields.text(1), *type).second)
+        fields.fault(1, fmt::format("the label \"{}\" is there twice", shown(fields.text(1))),
+                     "give every type a label of its own");
     if (fields.gave_up()) break;
   }
 }

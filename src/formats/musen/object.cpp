@@ -62,6 +62,7 @@ bool read_time(MusenLine& line, double wanted_time, std::set<double>& times, Mus
   if (wanted) {
     object.time = (*time)[0];
     object.has_state = true;
+    object.has_position = false;
   }
   return true;
 }
@@ -110,6 +111,7 @@ std::optional<MusenObject> read_musen_object(MusenLine& line, double wanted_time
       sound = read_time(line, wanted_time, times, object, wanted);
     } else if (key == musen_key::coordinate) {
       sound = line.vector(wanted ? object.position : ignored);
+      object.has_position |= wanted;
     } else if (key == musen_key::velocity) {
       sound = line.vector(wanted ? object.velocity : ignored);
     } else if (key == musen_key::angular_velocity) {

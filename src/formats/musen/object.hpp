@@ -21,7 +21,8 @@ struct MusenObject {
   std::string_view material;  ///< key, "" where none is given; stands as long as the line
   double active_from = 0, active_to = std::numeric_limits<double>::infinity();
 
-  bool has_state = false;  ///< of the time asked for
+  bool has_state = false;     ///< of the time asked for
+  bool has_position = false;  ///< likewise
   double time = 0;
   Vector3 position = Vector3::Zero(), velocity = Vector3::Zero(), angular_velocity = Vector3::Zero(),
           force = Vector3::Zero();

@@ -101,6 +101,8 @@ class SceneReader {
     const auto& geometry = object.geometry;
     if (object.type == Type::sphere) {
       if (!(geometry[0] > 0)) return fault(fmt::format("radius = {} must be positive", geometry[0]));
+      if (object.has_state && !object.has_position && object.keys.test(musen_key::coordinate))
+        return fault(fmt::format("no coordinates at time {}, but at others", object.time));
       scene.sphere_keys &= object.keys;
       scene.spheres.push_back({object.id, reader_.line(), material_of(object.material), geometry[0],
                                object.position, object.velocity, object.angular_velocity, object.force,

@@ -59,7 +59,9 @@ Dimension kept_dimension(const ColumnName& heading) {
 }
 
 void move_column(std::map<std::string, std::vector<double>>& columns, const std::string& name, double factor,
-                 TableColumn& from) {
+                 TableColumn& from, std::vector<Fault>& faults) {
+  if (columns.contains(name))
+    faults.push_back({from.place, fmt::format("{} is given twice", name), "remove one of the columns"});
   std::vector<double>& to = columns[name] = std::move(from.numbers);
   if (factor != 1)
     for (double& number : to) number *= factor;
@@ -164,10 +166,8 @@ void take_bonds(TableColumns& table, ForeignModel& model, std::vector<Fault>& fa
     }
     const bool halve = &known.aliases == &columns::bond_diameter;
     if (halve) name = "radius";
-    if (model.bond_columns.contains(name))
-      faults.push_back({column->place, fmt::format("{} is given twice", name), "remove one of the columns"});
     bring_to_si(*column, dimension, units, faults);
-    move_column(model.bond_columns, name, halve ? 0.5 : 1, *column);
+    move_column(model.bond_columns, name, halve ? 0.5 : 1, *column, faults);
     values.push_back(column->heading.text);
   }
   for (TableColumn& column : table.columns) {
@@ -177,7 +177,7 @@ void take_bonds(TableColumns& table, ForeignModel& model, std::vector<Fault>& fa
     const Parameter* parameter = law_parameter(column.heading.name);
     taken.push_back(&column);
     bring_to_si(column, parameter ? parameter->dimension : kept_dimension(column.heading), units, faults);
-    move_column(parameter ? model.bond_columns : model.kept_columns, column.heading.name, 1, column);
+    move_column(parameter ? model.bond_columns : model.kept_columns, column.heading.name, 1, column, faults);
     (parameter ? values : kept).push_back(column.heading.text);
   }
   if (faults.size() != before) return;

@@ -53,16 +53,20 @@ std::vector<Aliases> per_axis(const std::vector<std::string>& patterns) {
   return axes;
 }
 
-Aliases position(char axis) {
+Aliases with(Aliases names, const Aliases& others) {
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
+}
+
+Aliases own_position(char axis) {
+  const std::string a(1, axis);
+  return {a, "pos_" + a, "pos" + a, "position_" + a, "p" + a, a + "0"};
+}
+
+Aliases other_position(char axis) {
   // ParaView's spreadsheets number the components from 0.
   const std::string a(1, axis), number(1, char('0' + (axis - 'x')));
-  return {a,
-          "pos_" + a,
-          "pos" + a,
-          "position_" + a,
-          "p" + a,
-          a + "0",
-          "particle_position_" + a,
+  return {"particle_position_" + a,
           a + "_position",
           "coordinate_" + a,
           a + "_coordinate",
@@ -94,16 +98,33 @@ bool among(const std::string& name, const Aliases& aliases) {
   return std::find(aliases.begin(), aliases.end(), name) != aliases.end();
 }
 
+namespace own_columns {
+
+const Aliases x = own_position('x'), y = own_position('y'), z = own_position('z');
+const Aliases particle_id{"id", "particle_id", "particle", "pid", "number"};
+const Aliases radius{"radius", "r", "rad", "radii"};
+const Aliases diameter{"diameter", "d", "diam"};
+const Aliases density{"density", "rho"};
+const Aliases group{"group"};
+const Aliases bond_id{"id", "bond_id"};
+const Aliases bond_a{"a", "id_a", "id1", "particle_a"};
+const Aliases bond_b{"b", "id_b", "id2", "particle_b"};
+const Aliases contact_point{"contact_point"};
+
+}  // namespace own_columns
+
 namespace columns {
 
-const Aliases x = position('x'), y = position('y'), z = position('z');
-const Aliases particle_id{"id", "particle_id", "particle", "pid", "number", "ball_id", "body_id", "atom_id"};
-const Aliases radius{"radius", "r", "rad", "radii", "ball_radius", "particle_radius", "physical_radius"};
-const Aliases diameter{"diameter", "d", "diam", "particle_diameter"};
+const Aliases x = with(own_columns::x, other_position('x'));
+const Aliases y = with(own_columns::y, other_position('y'));
+const Aliases z = with(own_columns::z, other_position('z'));
+const Aliases particle_id = with(own_columns::particle_id, {"ball_id", "body_id", "atom_id"});
+const Aliases radius = with(own_columns::radius, {"ball_radius", "particle_radius", "physical_radius"});
+const Aliases diameter = with(own_columns::diameter, {"particle_diameter"});
 const Aliases volume{"volume", "particle_volume"};
 const Aliases mass{"mass", "m", "particle_mass"};
-const Aliases density{"density", "rho", "particle_density"};
-const Aliases group{"group"};
+const Aliases density = with(own_columns::density, {"particle_density"});
+const Aliases group = own_columns::group;
 const Aliases kind{"material",          "material_id", "mat_id",  "matid",
                    "particle_material", "type",        "type_id", "particle_type"};
 
@@ -125,58 +146,21 @@ const std::vector<Aliases> quaternion{{"qw", "quat_w", "quatw", "orientation_w",
                                       {"qy", "quat_y", "quaty", "orientation_y", "ori_y", "q2"},
                                       {"qz", "quat_z", "quatz", "orientation_z", "ori_z", "q3"}};
 
-const Aliases bond_id{"id", "bond_id", "contact_id"};
+const Aliases bond_id = with(own_columns::bond_id, {"contact_id"});
 // IDfirst and IDsecond are the custom properties in which an EDEM contact model keeps the particle ids.
-const Aliases bond_a{"a",
-                     "id_a",
-                     "id1",
-                     "particle_a",
-                     "id_1",
-                     "i",
-                     "end1",
-                     "end1_id",
-                     "particle_1",
-                     "particle1",
-                     "ball1",
-                     "ball_1",
-                     "atom1",
-                     "body1",
-                     "first_id",
-                     "idfirst",
-                     "id_first",
-                     "element_1",
-                     "contact_idfirst",
-                     "particle_id_1",
-                     "first_particle_id",
-                     "bond_idfirst",
-                     "particle_1_id"};
-const Aliases bond_b{"b",
-                     "id_b",
-                     "id2",
-                     "particle_b",
-                     "id_2",
-                     "j",
-                     "end2",
-                     "end2_id",
-                     "particle_2",
-                     "particle2",
-                     "ball2",
-                     "ball_2",
-                     "atom2",
-                     "body2",
-                     "second_id",
-                     "idsecond",
-                     "id_second",
-                     "element_2",
-                     "contact_idsecond",
-                     "particle_id_2",
-                     "second_particle_id",
-                     "bond_idsecond",
-                     "particle_2_id"};
+const Aliases bond_a = with(
+    own_columns::bond_a, {"id_1", "i", "end1", "end1_id", "particle_1", "particle1", "ball1", "ball_1",
+                          "atom1", "body1", "first_id", "idfirst", "id_first", "element_1", "contact_idfirst",
+                          "particle_id_1", "first_particle_id", "bond_idfirst", "particle_1_id"});
+const Aliases bond_b =
+    with(own_columns::bond_b,
+         {"id_2", "j", "end2", "end2_id", "particle_2", "particle2", "ball2", "ball_2", "atom2", "body2",
+          "second_id", "idsecond", "id_second", "element_2", "contact_idsecond", "particle_id_2",
+          "second_particle_id", "bond_idsecond", "particle_2_id"});
 const Aliases bond_type{"type", "bond_type"};
 const Aliases bond_radius{"radius", "bond_radius", "r", "pb_radius", "disk_radius", "bonded_disk_radius"};
 const Aliases bond_diameter{"diameter", "bond_diameter"};
-const Aliases contact_point{"contact_point", "contact_fraction"};
+const Aliases contact_point = with(own_columns::contact_point, {"contact_fraction"});
 const Aliases kn{"kn"}, ks{"ks"}, kt{"kt"}, kb{"kb"};
 const Aliases normal_stiffness{"normal_stiffness",
                                "bond_normal_stiffness",

@@ -19,6 +19,16 @@ ColumnName column_name(std::string_view text);
 /// All names of one column, in the form of ColumnName::name; the first is this project's own.
 using Aliases = std::vector<std::string>;
 
+/// What a case's own tables may call them, in any letter case (case/particle_file.hpp, case/bond_table.hpp).
+/// Fewer, as such tables have nothing that is to be converted: neither units nor stiffnesses per area.
+namespace own_columns {
+
+extern const Aliases x, y, z, particle_id, radius, diameter, density, group;
+extern const Aliases bond_id, bond_a, bond_b, contact_point;
+
+}  // namespace own_columns
+
+/// What tables of any origin may; own_columns among them.
 namespace columns {
 
 extern const Aliases x, y, z;

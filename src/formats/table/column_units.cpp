@@ -54,7 +54,8 @@ void bring_to_si(TableColumn& column, Dimension dimension, UnitsSeen& seen, std:
                       "correct the unit in the heading, or leave it out where numbers are SI"});
     return;
   }
-  seen.with.push_back(column.heading.text);
+  // Degrees are no sign of SI.
+  if (!(dimension == dimension::none)) seen.with.push_back(column.heading.text);
   if (scale == 1) return;
   // 2 mm is the double nearest to 0.002: a division by 1000 is, a product with 0.001 is not always.
   const double inverse = std::round(1 / scale);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/row_fields.hpp"
 #include "formats/table/edem_export.hpp"
 #include "io/nearest_name.hpp"
 #include "io/number_field.hpp"
@@ -121,7 +122,6 @@ void append_field(TableColumn& column, std::string_view field, const std::functi
     faults.add(place(), fmt::format("{} {}", column.heading.text, what), cure);
     column.numbers.push_back(not_given);
   };
-  const std::string shown(field.substr(0, 40));
   if (column.wanted == Wanted::word) {
     auto known = column.position_of_word.find(field);
     if (known == column.position_of_word.end()) {
@@ -144,15 +144,15 @@ void append_field(TableColumn& column, std::string_view field, const std::functi
   if (field.empty())
     fault("is empty", "give a number in every row");
   else if (std::isnan(value))
-    fault(fmt::format("= \"{}\" is not a number", shown),
+    fault(fmt::format("= \"{}\" is not a number", shown(field)),
           field.find(',') != std::string_view::npos ? "write numbers with a decimal point, not a comma"
                                                     : "write a plain number such as 1.5e-3");
   else if (std::isinf(value))
-    fault(fmt::format("= {} is not a finite double", shown), "write a plain number such as 1.5e-3");
+    fault(fmt::format("= {} is not a finite double", shown(field)), "write a plain number such as 1.5e-3");
   else if (column.wanted == Wanted::positive && value <= 0)
-    fault(fmt::format("= {} must be positive", shown), "correct the row or leave it out");
+    fault(fmt::format("= {} must be positive", shown(field)), "correct the row or leave it out");
   else if (column.wanted == Wanted::whole && !(value >= 0 && value < 9e15 && std::trunc(value) == value))
-    fault(fmt::format("= {} must be a whole number, not negative, below 9e15", shown),
+    fault(fmt::format("= {} must be a whole number, not negative, below 9e15", shown(field)),
           "number from 0 or 1 on");
   else
     column.numbers.push_back(value);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "io/number_field.hpp"
 
@@ -88,6 +90,7 @@ class BlockReader {
     faults_.resize(before_);
     limited_.emplace(faults_);
     block = {};
+    queries_.clear();
     below_headings_.clear();
     blocks_ = 0;
     wanted_ = true;
@@ -109,6 +112,7 @@ class BlockReader {
     below_headings_.clear();
     if (!wanted_) return;
     block = {};
+    queries_.clear();
     block.file = reader_.file();
     block.header = reader_.place();
     block.edem = true;
@@ -119,6 +123,7 @@ class BlockReader {
   void read_queries(std::string_view line) {
     if (blocks_ == 0) start(not_given);  // exported without times
     below_headings_.clear();
+    rows_below_ = 0;
     std::vector<std::size_t> at;
     for (std::size_t q = find_query(line, 0); q != std::string_view::npos; q = find_query(line, q + 1))
       at.push_back(q);
@@ -132,11 +137,10 @@ class BlockReader {
       column.heading = column_name(label);
       column.place = reader_.place(int(at[i]) + 1);
       column.wanted = want_(column.heading, TableKind::unknown);
-      for (const TableColumn& other : block.columns)
-        if (other.heading.name == column.heading.name && other.heading.unit == column.heading.unit)
-          limited_->add(column.place,
-                        fmt::format("query \"{}\" is there twice in a block", column.heading.text),
-                        "export each particle type into a file of its own, and give all of the files");
+      if (!queries_.emplace(column.heading.name, column.heading.unit).second)
+        limited_->add(column.place,
+                      fmt::format("query \"{}\" is there twice in a block", column.heading.text),
+                      "export each particle type into a file of its own, and give all of the files");
       if (column.wanted != Wanted::no && values != "no data") read_values(values, column);
       block.columns.push_back(std::move(column));
       if (at.size() == 1 && !values.empty()) return;
@@ -181,10 +185,16 @@ class BlockReader {
     // A query of one value, as the number of particles, has only a first row.
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       TableColumn& column = block.columns[below_headings_[i]];
-      if (column.wanted != Wanted::no && !fields_[i].empty())
-        append_field(
-            column, fields_[i], [&] { return reader_.place(); }, *limited_);
+      if (column.wanted == Wanted::no || (fields_[i].empty() && column.wanted != Wanted::number_or_empty))
+        continue;
+      if (column.numbers.size() < rows_below_)
+        limited_->add(reader_.place(),
+                      fmt::format("\"{}\" has a value below an empty field", column.heading.text),
+                      "export all queries of the same particles");
+      append_field(
+          column, fields_[i], [&] { return reader_.place(); }, *limited_);
     }
+    ++rows_below_;
   }
 
   LineReader& reader_;
@@ -194,7 +204,9 @@ class BlockReader {
   std::size_t before_;
   std::optional<LimitedFaults> limited_;
   std::vector<std::string_view> fields_;
-  std::vector<std::size_t> below_headings_;  // columns that the rows here belong to
+  std::set<std::pair<std::string, std::string>> queries_;  // of the block: name and unit
+  std::vector<std::size_t> below_headings_;                // columns that the rows here belong to
+  std::size_t rows_below_ = 0;
   int blocks_ = 0;
   bool wanted_ = true;
 };

@@ -90,7 +90,8 @@ void take_particles(TableColumns& table, ForeignModel& model, std::vector<Fault>
   }
   take_radii(radius, diameter, volume, model, faults);
   const bool sized = radius || diameter || volume;
-  take_densities(density, sized ? mass : nullptr, volume, model);
+  const bool of_mass = mass && sized && !density;
+  take_densities(density, of_mass ? mass : nullptr, volume, model);
   if (group) {
     model.group_names = std::move(group->words);
     model.group.assign(group->numbers.begin(), group->numbers.end());
@@ -103,13 +104,12 @@ void take_particles(TableColumns& table, ForeignModel& model, std::vector<Fault>
   if (group) what += fmt::format(", groups by \"{}\"", group->heading.text);
   model.notes.taken.push_back(what + ".");
   if (!id) model.notes.assumed.push_back("The file has no ids: particles are numbered in its order.");
-  if (!density && mass && sized)
+  if (of_mass)
     model.notes.assumed.push_back("Densities are masses over volumes, as the file has no densities.");
-  note_columns_left(
-      table,
-      {axes[0], axes[1], axes[2], id, group, radius, diameter,
-       sized && !radius && !diameter ? volume : nullptr, density, density || !sized ? nullptr : mass},
-      "not taken", model.notes);
+  note_columns_left(table,
+                    {axes[0], axes[1], axes[2], id, group, radius, diameter, density,
+                     of_mass || !(radius || diameter) ? volume : nullptr, of_mass ? mass : nullptr},
+                    "not taken", model.notes);
 }
 
 }  // namespace bondstatic

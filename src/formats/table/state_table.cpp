@@ -35,17 +35,37 @@ Wanted wanted_of_state(const ColumnName& heading, TableKind) {
   return Wanted::no;
 }
 
-/// Empty where a component is missing.
+/// All components of a vector or quaternion, or none. Only some of them are a fault, or where `notes` is
+/// given a note that they are not taken.
+std::vector<TableColumn*> components(TableColumns& table, std::span<const Aliases> aliases,
+                                     std::vector<std::string>* notes, std::vector<Fault>& faults) {
+  std::vector<TableColumn*> found;
+  std::string missing;
+  for (const Aliases& component : aliases) {
+    if (TableColumn* column = table.find(component, faults))
+      found.push_back(column);
+    else if (missing.empty())
+      missing = component.front();
+  }
+  if (missing.empty() || found.empty()) return found;
+  const std::string what = fmt::format("column {} lacks its companion {}", found[0]->heading.text, missing);
+  if (notes)
+    notes->push_back(fmt::format("Not taken: {}.", what));
+  else
+    faults.push_back({found[0]->place, what, "add the column, of zeros if need be, or rename this one"});
+  return {};
+}
+
 std::vector<Vector3> vectors(TableColumns& table, std::span<const Aliases> aliases, Dimension dimension,
-                             std::vector<Fault>& faults) {
-  TableColumn* component[3];
-  for (int i = 0; i < 3; ++i)
-    if (!(component[i] = table.find(aliases[std::size_t(i)], faults))) return {};
+                             std::vector<std::string>* notes, std::vector<Fault>& faults) {
+  const std::vector<TableColumn*> component = components(table, aliases, notes, faults);
+  if (component.empty()) return {};
   UnitsSeen units;
   std::vector<Vector3> out(table.rows());
   for (int i = 0; i < 3; ++i) {
-    bring_to_si(*component[i], dimension, units, faults);
-    for (std::size_t row = 0; row < out.size(); ++row) out[row][i] = component[i]->numbers[row];
+    TableColumn& column = *component[std::size_t(i)];
+    bring_to_si(column, dimension, units, faults);
+    for (std::size_t row = 0; row < out.size(); ++row) out[row][i] = column.numbers[row];
   }
   return out;
 }
@@ -58,12 +78,9 @@ Eigen::Quaterniond of_rotation_vector(const Vector3& vector) {
 
 std::vector<Eigen::Quaterniond> orientations(TableColumns& table, std::vector<Fault>& faults) {
   std::vector<Eigen::Quaterniond> out;
-  TableColumn* part[4];
-  bool all = true;
-  for (std::size_t i = 0; i < 4; ++i)
-    all &= (part[i] = table.find(columns::quaternion[i], faults)) != nullptr;
-  if (!all) {
-    for (const Vector3& rotation : vectors(table, columns::rotation, dimension::none, faults))
+  const std::vector<TableColumn*> part = components(table, columns::quaternion, nullptr, faults);
+  if (part.empty()) {
+    for (const Vector3& rotation : vectors(table, columns::rotation, dimension::none, nullptr, faults))
       out.push_back(of_rotation_vector(rotation));
     return out;
   }
@@ -101,16 +118,18 @@ std::optional<ParticleState> read_state_table(const std::string& path, const Rea
   state.step = options.step.value_or(0);
   state.time = table->time;
   state.id.assign(id->numbers.begin(), id->numbers.end());
-  state.position =
-      vectors(*table, std::vector<Aliases>{columns::x, columns::y, columns::z}, dimension::length, faults);
-  const std::vector<Vector3> displacement = vectors(*table, own_displacement, dimension::length, faults);
+  state.position = vectors(*table, std::vector<Aliases>{columns::x, columns::y, columns::z},
+                           dimension::length, nullptr, faults);
+  const std::vector<Vector3> displacement =
+      vectors(*table, own_displacement, dimension::length, nullptr, faults);
   for (std::size_t i = 0; i < displacement.size(); ++i) state.position[i] += displacement[i];
   state.unwrapped = !displacement.empty();
   state.orientation = orientations(*table, faults);
-  state.velocity = vectors(*table, columns::velocity, dimension::velocity, faults);
-  state.angular_velocity = vectors(*table, columns::angular_velocity, angular_velocity_dimension, faults);
-  state.force = vectors(*table, columns::force, dimension::force, faults);
-  state.torque = vectors(*table, columns::torque, dimension::moment, faults);
+  state.velocity = vectors(*table, columns::velocity, dimension::velocity, &state.notes, faults);
+  state.angular_velocity =
+      vectors(*table, columns::angular_velocity, angular_velocity_dimension, &state.notes, faults);
+  state.force = vectors(*table, columns::force, dimension::force, &state.notes, faults);
+  state.torque = vectors(*table, columns::torque, dimension::moment, &state.notes, faults);
   TableColumn* radius = table->find(columns::radius, faults);
   TableColumn* size = radius ? radius : table->find(columns::diameter, faults);
   if (size) {

@@ -75,6 +75,11 @@ void write_bonds(const ExportInput& input, OutputFile& file, ExportNotes& notes)
         "{} bonds couple shear and bending: written at the contact point where they do not. It is "
         "the same bond, but its moment is that about another point.",
         coupled));
+  if (const Index other_image = bonds_to_other_images(model); other_image > 0)
+    notes.not_expressed.push_back(
+        fmt::format("{} of {} bonds do not go to the one nearest image of their far end, which a table of "
+                    "bonds means. Repeat the cell (2x2x2) before exporting.",
+                    other_image, count));
   if (without_feedback > 0)
     notes.remarks.push_back(fmt::format(
         "{} bonds keep their moments to themselves (torque feedback off): written with kt = kb = 0, "

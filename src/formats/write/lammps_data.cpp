@@ -23,9 +23,9 @@ void write_header(const LammpsModel& model, OutputFile& file) {
   const Model& of = model.input.model;
   const LammpsBox& box = model.box;
   // LAMMPS skips the first line; a data file says nowhere else which directions are periodic, and in which
-  // units. What the title may say of such things comes behind.
-  file.append(fmt::format("bondstatic, boundary = {}, units = {}, {}\n\n", box.boundary(),
-                          model.input.si ? "si" : "any", one_line(model.input.title)));
+  // units. The title, which may say of such things what it likes, comes behind.
+  file.append(fmt::format("bondstatic, boundary = {}, {}{}\n\n", box.boundary(),
+                          model.input.si ? "units = si, " : "", one_line(model.input.title)));
   file.append(fmt::format("{} atoms\n{} bonds\n{} atom types\n{} bond types\n\n", of.particles.size(),
                           of.bonds.size(), model.roles.roles.size(), model.bonds.types.size()));
   const char axes[] = {'x', 'y', 'z'};
@@ -44,12 +44,10 @@ std::string lammps_coefficients(const SectionStiffness& type) {
 void write_lammps_data(const LammpsModel& model, OutputFile& file) {
   const Model& of = model.input.model;
   write_header(model, file);
-  if (!of.bonds.empty()) {
-    file.append("\nBond Coeffs # bpm/rotational\n\n");
-    for (std::size_t t = 0; t < model.bonds.types.size(); ++t) {
-      file.append(fmt::format("{} {}\n", t + 1, lammps_coefficients(model.bonds.types[t])));
-      file.flush_if_large();
-    }
+  file.append("\nBond Coeffs # bpm/rotational\n\n");
+  for (std::size_t t = 0; t < model.bonds.types.size(); ++t) {
+    file.append(fmt::format("{} {}\n", t + 1, lammps_coefficients(model.bonds.types[t])));
+    file.flush_if_large();
   }
   file.append("\nAtoms # bpm/sphere\n\n");
   write_blocks(
@@ -61,7 +59,6 @@ void write_lammps_data(const LammpsModel& model, OutputFile& file) {
                          model.roles.type[p], 2 * particle.radius, particle.density, x[0], x[1], x[2]);
         }
       });
-  if (of.bonds.empty()) return;
   file.append("\nBonds\n\n");
   write_blocks(file, Index(of.bonds.size()), lines_a_block,
                [&](Index begin, Index end, fmt::memory_buffer& text) {

@@ -79,6 +79,12 @@ void tell(const ExportInput& input, const GranBonds& bonds, const BondCode& code
     notes.not_expressed.push_back(
         fmt::format("{} of {} bonds join particles that do not touch or are not of one size: {}.",
                     bonds.departing, all, code.departure_text));
+  if (const Index other_image = bonds_to_other_images(input.model); other_image > 0)
+    notes.not_expressed.push_back(
+        fmt::format("{} of {} bonds do not go to the one nearest image of their far end, which LIGGGHTS "
+                    "takes. Repeat the "
+                    "cell (2x2x2) before exporting.",
+                    other_image, all));
   if (input.model.cell && std::any_of(input.model.cell->periodic.begin(), input.model.cell->periodic.end(),
                                       [](bool repeats) { return repeats; }))
     notes.remarks.push_back(
@@ -118,7 +124,6 @@ void write_data(const ExportInput& input, const GranBonds& bonds, const LammpsRo
                                   roles.type[std::size_t(p)], x[0], x[1], x[2], 2 * particle.radius, density);
                  }
                });
-  if (model.bonds.empty()) return;
   file.append("\nBonds\n\n");
   write_blocks(file, Index(model.bonds.size()), lines_a_block,
                [&](Index begin, Index end, fmt::memory_buffer& text) {
@@ -134,7 +139,7 @@ Index most_bonds(const Model& model) {
   std::vector<Index> bonds(model.particles.size());
   for (const Bond& bond : model.bonds)
     for (const Index p : {bond.a, bond.b}) ++bonds[std::size_t(p)];
-  return bonds.empty() ? 0 : *std::max_element(bonds.begin(), bonds.end());
+  return *std::max_element(bonds.begin(), bonds.end());
 }
 
 std::string commands(const ExportInput& input, const GranBonds& bonds, const LammpsRoles& roles,
@@ -146,9 +151,9 @@ std::string commands(const ExportInput& input, const GranBonds& bonds, const Lam
                       bonds.types.size(), most_bonds(input.model));
   text += fmt::format(
       "atom_modify  map array\nboundary     {}\nnewton       off\ncommunicate  single vel yes\nunits        "
-      "si\n"
+      "si\n{}"
       "read_data    model.data\n",
-      box.boundary());
+      box.boundary(), box.large_tilt() ? "box          tilt large\n" : "");
   for (std::size_t t = 0; t < roles.roles.size(); ++t)
     text += fmt::format("# atom type {}: {}, {} particles\n", t + 1, roles.roles[t].text(),
                         roles.roles[t].particles);
@@ -166,6 +171,7 @@ std::string commands(const ExportInput& input, const GranBonds& bonds, const Lam
 
 void write_liggghts(const ExportInput& input, FileSet& files, ExportNotes& notes) {
   const Model& model = input.model;
+  need_bonds(model, "LIGGGHTS");
   const BondCode& code = *find_bond_code("liggghts-bond-gran");
   const GranBonds bonds = gran_bonds(input, code);
   const LammpsRoles roles = lammps_roles(input);

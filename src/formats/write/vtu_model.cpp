@@ -1,9 +1,12 @@
 // model.vtu before any solve: what the case says of particles and bonds.
 #include <functional>
+#include <numeric>
+#include <optional>
 
 #include "formats/write/export_formats.hpp"
 #include "io/vtu_writer.hpp"
 #include "model/boundary.hpp"
+#include "model/cell.hpp"
 
 namespace bondstatic {
 
@@ -86,17 +89,32 @@ void write_vtu_model(const ExportInput& input, FileSet& files, ExportNotes& note
                        3});
   }
   std::vector<double> places;
-  for (std::size_t p = 0; p < model.particles.size(); ++p) {
-    const Vector3 x = input.relaxed ? relaxed_position(input, p) : model.particles[p].position;
+  const auto place = [&](std::size_t p, const Vector3& shift) {
+    const Vector3 x = shift + (input.relaxed ? relaxed_position(input, p) : model.particles[p].position);
     places.insert(places.end(), x.begin(), x.end());
+  };
+  std::vector<Index> particle(model.particles.size()), ends;  // of each point; points of each bond
+  std::iota(particle.begin(), particle.end(), Index(0));
+  for (std::size_t p = 0; p < particle.size(); ++p) place(p, Vector3::Zero());
+  for (const Bond& bond : model.bonds) {
+    ends.insert(ends.end(), {bond.a, bond.b});
+    const Vector3 shift = shift_of_end(model, bond);
+    if (shift.isZero(0)) continue;
+    // A line across a periodic face ends beside it, at a copy of the particle.
+    ends.back() = Index(particle.size());
+    particle.push_back(bond.b);
+    place(std::size_t(bond.b), input.relaxed ? shift + input.state->strain * shift : shift);
   }
-  std::vector<Index> ends;
-  for (const Bond& bond : model.bonds) ends.insert(ends.end(), {bond.a, bond.b});
+  std::vector<Column> of_points;
+  for (const Column& column : points) of_points.push_back(rows_of(column, particle));
+  const auto own = Index(model.particles.size());
   if (input.relaxed)
     notes.remarks.push_back(
         "Points stand at the relaxed positions; displacements are small, scale them with the filter Warp By "
         "Vector on a model exported without --relaxed.");
-  write_vtu(create(files, notes, "model.vtu"), LineGrid{places, ends, points, lines});
+  write_vtu(create(files, notes, "model.vtu"),
+            LineGrid{places, ends, of_points, lines,
+                     Index(particle.size()) > own ? std::optional(own) : std::nullopt});
 }
 
 }  // namespace bondstatic
