@@ -125,5 +125,29 @@ TEST(HoldCell, HoldsTheFirstParticleOfTheLargestBody) {
   EXPECT_EQ(model.supports[0].fixed, (std::array<bool, 6>{true, true, true, false, false, false}));
 }
 
+TEST(HoldCell, HoldsEveryBodyThatGoesRoundTheCell) {
+  // A ring of three inside the cell; a chain of four round it, its bonds in any direction; a chain through a
+  // face and back; one of three that goes round along an edge that is twice as long.
+  Model model;
+  model.cell = Cell{{0, 0, 0}, 4 * Matrix3::Identity()};
+  const auto chain = [&](const std::vector<Vector3>& positions) {
+    for (const Vector3& x : positions) model.particles.push_back({Index(model.particles.size() + 1), x, 0.5});
+  };
+  const auto bond = [&](Index a, Index b, const Vector3& branch) {
+    model.bonds.push_back({Index(model.bonds.size() + 1), a, b, branch});
+  };
+  chain({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}});
+  bond(0, 1, {1, 0, 0}), bond(1, 2, {-1, 1, 0}), bond(2, 0, {0, -1, 0});
+  chain({{0, 3, 3}, {1, 3, 3}, {2, 3, 3}, {3, 3, 3}});
+  bond(6, 3, {1, 0, 0}), bond(5, 4, {-1, 0, 0}), bond(6, 5, {-1, 0, 0}), bond(3, 4, {1, 0, 0});
+  chain({{1, 1, 3.5}, {1, 1, 0.5}, {2, 1, 0.5}, {2, 1, 3.5}, {3, 1, 3.5}});
+  bond(7, 8, {0, 0, 1}), bond(8, 9, {1, 0, 0}), bond(10, 9, {0, 0, 1}), bond(10, 11, {1, 0, 0}),
+      bond(7, 10, {1, 0, 0});
+  hold_translation(model);
+  std::vector<Index> held;
+  for (const Support& support : model.supports) held.push_back(support.particle);
+  EXPECT_EQ(held, (std::vector<Index>{3, 7}));
+}
+
 }  // namespace
 }  // namespace bondstatic::test

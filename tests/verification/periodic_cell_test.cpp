@@ -8,6 +8,7 @@
 #include "bondstatic/mechanism.hpp"
 #include "bondstatic/statics.hpp"
 #include "model/cell.hpp"
+#include "model/hold_cell.hpp"
 #include "support/models.hpp"
 #include "support/periodic.hpp"
 
@@ -106,6 +107,26 @@ INSTANTIATE_TEST_SUITE_P(Verification, PeriodicLattice,
                                                                     s * (kn + ks) / 2);
                                                      }}),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
+
+TEST(PeriodicCell, TwoGridsThatDoNotTouchCarryBoth) {
+  const auto grid = [](const Vector3& origin) {
+    std::vector<Vector3> points;
+    for (int n = 0; n < 27; ++n) points.push_back(origin + length * Vector3(n % 3, n / 3 % 3, n / 9));
+    return periodic_model(points, std::vector<double>(27, length / 2),
+                          {{0, 0, 0}, 3 * length * Matrix3::Identity()}, beams());
+  };
+  const Model one = grid({0, 0, 0}), other = grid(Vector3::Constant(length / 2));
+  Model both = one;
+  for (Particle particle : other.particles) {
+    particle.id += 27;
+    both.particles.push_back(particle);
+  }
+  for (const Bond& bond : other.bonds)
+    both.bonds.push_back({bond.id + 81, bond.a + 27, bond.b + 27, bond.branch, 0, bond.in_block + 81});
+  both.supports.clear();
+  hold_translation(both);
+  EXPECT_LT(apart(stiffness_of(both).stiffness, 2 * stiffness_of(one).stiffness), 1e-13);
+}
 
 TEST(PeriodicCell, FaceCentredLatticeInItsTriclinicPrimitiveCell) {
   Cell cell;
