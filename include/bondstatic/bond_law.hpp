@@ -51,6 +51,12 @@ struct BondProperties {
   bool moments_fed_back = true;  ///< false: kt and kb enter stresses only (EDEM's torque feedback off)
 };
 
+/// How one bond's properties change with one parameter of its law.
+struct BondDerivative {
+  SectionStiffness stiffness;  ///< d(kn, ks, kt, kb, coupling)/dp, of what the bond carries
+  double radius = 0;           ///< d(radius of the section)/dp; 0 where it has none
+};
+
 struct BondLaw {
   std::string name;                   ///< key of the case file: "timoshenko"
   std::string title;                  ///< name in the literature
@@ -69,6 +75,11 @@ struct BondLaw {
   /// Stiffness, section radius and feedback from the site and the parameters in the order of `parameters`,
   /// NaN where not given, defaults filled in, bounds already checked.
   std::function<BondProperties(const BondSite&, std::span<const double>)> evaluate;
+
+  /// d(what evaluate says)/d(parameter at that position), by the chain rule, exact to rounding. For
+  /// parameters that are numbers (neither `whole` nor `truth`) and given (not NaN).
+  std::function<BondDerivative(const BondSite&, std::span<const double>, std::size_t parameter)>
+      differentiate;
 
   /// What forbids the law at this site, as finding and cure ("gap = -1e-4 must be positive; use another
   /// law"), empty if nothing does. May be null.
@@ -102,5 +113,17 @@ BondSite bond_site(const Model& model, const Bond& bond);
 /// particle ids where a law forbids a site or its stiffness is not finite, positive semi-definite.
 /// Laws are evaluated by several threads at once; nothing but the time depends on `threads`.
 std::vector<BondProperties> bond_properties(const Model& model, int threads = 1);
+
+/// How the bonds of one block change with one parameter of its law, at the contact point that each is asked
+/// for.
+struct ParameterDerivative {
+  std::vector<Index> bonds;  ///< of the block, those to which the parameter is given; positions in the model
+  std::vector<BondDerivative> of_bond;  ///< to the bond's own value
+  std::vector<bool> has_own;            ///< it has a value of its own, and does not follow the block's
+};
+
+/// `parameter`: position in the law's list. Throws InputError (place: none) as bond_properties() does, and
+/// Error (invalid_input) for a parameter that is no number to differentiate by (seed, torque_feedback).
+ParameterDerivative bond_derivatives(const Model& model, Index block, std::size_t parameter, int threads = 1);
 
 }  // namespace bondstatic

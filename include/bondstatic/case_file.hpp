@@ -1,9 +1,11 @@
 // Reading a case file (TOML) into a model and what is asked of it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bondstatic/calibration.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
 #include "bondstatic/relaxation.hpp"
@@ -24,6 +26,7 @@ struct Case {
   StaticOptions solve;
   RelaxOptions relax;  ///< of [dynamics] and [check]
   std::vector<Output> outputs;
+  std::optional<CalibrationPlan> calibration;
   std::vector<std::string> warnings;
   std::string resolved;  ///< the case as TOML with defaults and overrides filled in
   bool si = false;       ///< a unit was given somewhere: all numbers are SI

@@ -8,7 +8,7 @@ import sys
 
 # A room may include from itself and from the rooms in its set. io holds what everything stands on.
 LINE_OF_ROOMS = ["io", "model", "bond", "formats", "dynamics", "system", "mechanism", "multigrid", "solver", "statics", "modes", "relax",
-                 "check", "compare", "results"]
+                 "check", "compare", "results", "calibration"]
 MAY_USE = {room: set(LINE_OF_ROOMS[:i]) for i, room in enumerate(LINE_OF_ROOMS)}
 # The explicit run checks the static answer, so neither may stand on the other.
 for room in ["system", "mechanism", "multigrid", "solver", "statics", "modes"]:
@@ -20,6 +20,7 @@ for room in ["dynamics", "system", "mechanism", "multigrid", "solver", "statics"
     MAY_USE[room].discard("formats")
 MAY_USE["case"] = {"io", "model", "bond", "formats"}
 MAY_USE["app"] = set(MAY_USE) - {"petsc"}
+MAY_USE["python"] = set(MAY_USE) - {"petsc", "app"}
 
 # The public headers belong to rooms, too.
 ROOM_OF_HEADER = {
@@ -29,19 +30,21 @@ ROOM_OF_HEADER = {
     "state": "model",
     "network": "system",
     "linear_solver": "solver",
-    "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics",
+    "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics", "sensitivity": "statics",
     "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare",
-    "output": "results", "results": "results",
+    "output": "results", "results": "results", "calibration": "calibration",
     "case_file": "case",
 }
 # A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.
 ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp",
-                         "bondstatic/relaxation.hpp", "bondstatic/dynamics.hpp"}}
+                         "bondstatic/relaxation.hpp", "bondstatic/dynamics.hpp", "bondstatic/calibration.hpp"}}
 
 # Foreign headers that only one place may know.
 ONLY_IN = {
     r"toml\+\+/": r"case/",
     r"Spectra/": r"modes/",
+    r"ceres/|glog/|boost/math/": r"calibration/",
+    r"pybind11/": r"python/",
     r"CLI/": r"app/",
     r"petsc.*\.h$|mpi\.h": r"petsc/",
     r"cholmod\.h|SuiteSparse_config\.h|suitesparse/": r"solver/cholmod",
