@@ -1,4 +1,5 @@
 // Beams from centre to centre: they differ in the shear stiffness alone.
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -8,37 +9,39 @@ namespace {
 
 enum Input : std::size_t { young, poisson, radius, radius_factor, shear_coefficient };
 
-RoundSection section_of(const BondSite& site, std::span<const double> in) {
+template <class T>
+RoundSection<T> section_of(const BondSite& site, std::span<const T> in) {
   return {bond_radius(site, in[radius], in[radius_factor])};
 }
 
-BondProperties beam(const BondSite& site, std::span<const double> in, double ks) {
-  const RoundSection section = section_of(site, in);
-  const double kn = in[young] * section.area() / site.length;
-  const double kb = in[young] * section.second_moment() / site.length;
-  return {.stiffness = {.kn = kn, .ks = ks, .kt = kb / (1 + in[poisson]), .kb = kb},
-          .radius = section.radius};
+template <class T>
+BondSection<T> beam(const BondSite& site, std::span<const T> in, const T& ks) {
+  const RoundSection<T> section = section_of(site, in);
+  const T kn = in[young] * section.area() / site.length;
+  const T kb = in[young] * section.second_moment() / site.length;
+  return {.kn = kn, .ks = ks, .kt = kb / (1 + in[poisson]), .kb = kb, .radius = section.radius};
 }
 
 /// [Chen2022] Eq. 26
-double euler_bernoulli_shear(const BondSite& site, std::span<const double> in) {
+template <class T>
+T euler_bernoulli_shear(const BondSite& site, std::span<const T> in) {
   return 12 * in[young] * section_of(site, in).second_moment() / (site.length * site.length * site.length);
 }
 
-BondProperties euler_bernoulli(const BondSite& site, std::span<const double> in) {
+constexpr auto euler_bernoulli = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
   return beam(site, in, euler_bernoulli_shear(site, in));
-}
+};
 
-BondProperties timoshenko(const BondSite& site, std::span<const double> in) {
-  const double slenderness = section_of(site, in).radius / site.length;
-  const double phi = 20 * slenderness * slenderness * (1 + in[poisson]) / 3;  // [Chen2022] Eq. 25
+constexpr auto timoshenko = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const T slenderness = section_of(site, in).radius / site.length;
+  const T phi = 20 * slenderness * slenderness * (1 + in[poisson]) / 3;  // [Chen2022] Eq. 25
   return beam(site, in, euler_bernoulli_shear(site, in) / (1 + phi));
-}
+};
 
-BondProperties obermayr(const BondSite& site, std::span<const double> in) {
-  const double g = shear_modulus(in[young], in[poisson]);
+constexpr auto obermayr = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const T g = shear_modulus(in[young], in[poisson]);
   return beam(site, in, in[shear_coefficient] * g * section_of(site, in).area() / site.length);
-}
+};
 
 std::vector<Parameter> beam_inputs() {
   return {young_input(), poisson_input(), radius_input(), radius_factor_input()};
@@ -57,7 +60,8 @@ BondLaw euler_bernoulli_law() {
       .alternatives = {radius_ways()},
       .contact_point = {ContactPoint::Kind::beam},
       .remark = "No shear deformation: right for slender beams.",
-      .evaluate = euler_bernoulli,
+      .evaluate = value_of(euler_bernoulli),
+      .differentiate = derivative_of(euler_bernoulli),
   };
 }
 
@@ -72,7 +76,8 @@ BondLaw timoshenko_law() {
       .alternatives = {radius_ways()},
       .contact_point = {ContactPoint::Kind::beam},
       .remark = "Exact for end loads on a prismatic beam, whatever the number of bonds.",
-      .evaluate = timoshenko,
+      .evaluate = value_of(timoshenko),
+      .differentiate = derivative_of(timoshenko),
   };
 }
 
@@ -90,7 +95,8 @@ BondLaw obermayr_law() {
       .alternatives = {radius_ways()},
       .contact_point = {ContactPoint::Kind::beam},
       .remark = "lambda_s is 0.9 for a circle. Converges to Timoshenko's beam with the number of bonds.",
-      .evaluate = obermayr,
+      .evaluate = value_of(obermayr),
+      .differentiate = derivative_of(obermayr),
   };
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <numbers>
 
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -17,30 +19,42 @@ double cap(double sphere_radius, double rho_squared, double rest) {
   return rho_squared / (sphere_radius + std::sqrt(rest));
 }
 
-/// Integrals of rho / l and rho^3 / l from 0 to r, with l the length of the fibre at rho.
-Eigen::Array2d fibre_integrals(const BondSite& site, double r) {
-  const double ra = site.radius_a, rb = site.radius_b, gap = site.gap();
+/// Length of the fibre at rho, with rho^2 = `square` and r^2 - rho^2 = `missing`.
+double fibre_length(const BondSite& site, double r, double square, double missing) {
+  const double ra = site.radius_a, rb = site.radius_b;
   const double rest_a = (ra - r) * (ra + r), rest_b = (rb - r) * (rb + r);
-  const Eigen::Vector2d integral = integrate_unit_interval([&](double x, double complement) {
-    // x = rho^2 / r^2: 2 rho drho = r^2 dx, and the integrand's peak at rho = 0 becomes one at an end.
-    const double square = r * r * x, missing = r * r * complement;
-    const double fibre = gap + cap(ra, square, rest_a + missing) + cap(rb, square, rest_b + missing);
-    return Eigen::Vector2d(1 / fibre, x / fibre);
-  });
-  return 0.5 * r * r * Eigen::Array2d(integral[0], r * r * integral[1]);
+  return site.gap() + cap(ra, square, rest_a + missing) + cap(rb, square, rest_b + missing);
 }
 
-BondProperties evaluate(const BondSite& site, std::span<const double> in) {
-  using std::numbers::pi;
-  const double r = bond_radius(site, in[radius], in[radius_factor]);
-  const double e = in[young], g = shear_modulus(e, in[poisson]);
-  const Eigen::Array2d integral = fibre_integrals(site, r);
-  return {.stiffness = {.kn = 2 * pi * e * integral[0],
-                        .ks = 2 * pi * g * integral[0],
-                        .kt = 2 * pi * g * integral[1],
-                        .kb = pi * e * integral[1]},
-          .radius = r};
+/// Integrals of rho / l and rho^3 / l from 0 to r, with l the length of the fibre at rho.
+std::array<double, 2> fibre_integrals(const BondSite& site, double r) {
+  const Eigen::Vector2d integral = integrate_unit_interval([&](double x, double complement) {
+    // x = rho^2 / r^2: 2 rho drho = r^2 dx, and the integrand's peak at rho = 0 becomes one at an end.
+    const double fibre = fibre_length(site, r, r * r * x, r * r * complement);
+    return Eigen::Vector2d(1 / fibre, x / fibre);
+  });
+  return {0.5 * r * r * integral[0], 0.5 * r * r * (r * r * integral[1])};
 }
+
+/// They change with their upper limit as their integrand at it.
+std::array<Dual, 2> fibre_integrals(const BondSite& site, const Dual& upper) {
+  const double r = upper.value;
+  const auto [first, third] = fibre_integrals(site, r);
+  const double slope = upper.slope * r / fibre_length(site, r, r * r, 0);
+  return {Dual(first, slope), Dual(third, r * r * slope)};
+}
+
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  using std::numbers::pi;
+  const T r = bond_radius(site, in[radius], in[radius_factor]);
+  const T e = in[young], g = shear_modulus(e, in[poisson]);
+  const auto [first, third] = fibre_integrals(site, r);
+  return {.kn = 2 * pi * e * first,
+          .ks = 2 * pi * g * first,
+          .kt = 2 * pi * g * third,
+          .kb = pi * e * third,
+          .radius = r};
+};
 
 std::string forbids(const BondSite& site, std::span<const double> in) {
   if (!(site.gap() > 0))
@@ -72,7 +86,8 @@ BondLaw concave_end_law() {
       .contact_point = {ContactPoint::Kind::gap},
       .remark =
           "Derived here: independent fibres between rigid spheres. Needs a gap > 0 and r <= min(Ra, Rb).",
-      .evaluate = evaluate,
+      .evaluate = value_of(formula),
+      .differentiate = derivative_of(formula),
       .forbids = forbids,
   };
 }

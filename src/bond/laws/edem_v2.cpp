@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -18,18 +19,18 @@ enum Input : std::size_t {
   torque_feedback
 };
 
-BondProperties evaluate(const BondSite& site, std::span<const double> in) {
-  const RoundSection section{in[disk_scale] * std::min(site.radius_a, site.radius_b)};
-  const std::uint64_t key = pair_key(std::uint64_t(in[seed]), site.id_a, site.id_b);
-  const double normal = in[normal_stiffness] + in[normal_range] * scatter(key, 0);
-  const double shear = in[shear_stiffness] + in[shear_range] * scatter(key, 1);
-  return {.stiffness = {.kn = normal * section.area(),
-                        .ks = shear * section.area(),
-                        .kt = shear * section.polar_moment(),
-                        .kb = 0.5 * normal * section.polar_moment()},
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const RoundSection<T> section{in[disk_scale] * std::min(site.radius_a, site.radius_b)};
+  const std::uint64_t key = pair_key(std::uint64_t(double(in[seed])), site.id_a, site.id_b);
+  const T normal = in[normal_stiffness] + in[normal_range] * scatter(key, 0);
+  const T shear = in[shear_stiffness] + in[shear_range] * scatter(key, 1);
+  return {.kn = normal * section.area(),
+          .ks = shear * section.area(),
+          .kt = shear * section.polar_moment(),
+          .kb = 0.5 * normal * section.polar_moment(),
           .radius = section.radius,
-          .moments_fed_back = in[torque_feedback] != 0};
-}
+          .moments_fed_back = double(in[torque_feedback]) != 0};
+};
 
 std::string inconsistent(std::span<const double> in) {
   if (in[normal_range] >= in[normal_stiffness])
@@ -86,7 +87,8 @@ BondLaw edem_v2_law() {
           "bending moments enter the stresses but do not act on the particles, the moment of the shear "
           "force about the centres does. The scatter depends on seed and particle ids alone; EDEM draws "
           "other numbers.",
-      .evaluate = evaluate,
+      .evaluate = value_of(formula),
+      .differentiate = derivative_of(formula),
       .inconsistent = inconsistent,
   };
 }

@@ -24,7 +24,8 @@ Parameter optional_input(Parameter input);
 Alternatives radius_ways();
 
 /// Bond radius as given, else factor * min(Ra, Rb) ([Chen2022] section 2.1).
-inline double bond_radius(const BondSite& site, double radius, double radius_factor) {
+template <class T>
+T bond_radius(const BondSite& site, const T& radius, const T& radius_factor) {
   return radius > 0 ? radius : radius_factor * std::min(site.radius_a, site.radius_b);
 }
 

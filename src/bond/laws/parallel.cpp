@@ -1,3 +1,4 @@
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -7,13 +8,13 @@ namespace {
 
 enum Input : std::size_t { young, poisson, kappa, radius, radius_factor };
 
-BondProperties evaluate(const BondSite& site, std::span<const double> in) {
-  const double r = bond_radius(site, in[radius], in[radius_factor]);
-  const double ratio = std::isnan(in[kappa]) ? 2 * (1 + in[poisson]) : in[kappa];
-  const double kn = in[young] * RoundSection{r}.area() / site.length;
-  const double ks = kn / ratio;
-  return {.stiffness = {.kn = kn, .ks = ks, .kt = 0.5 * ks * r * r, .kb = 0.25 * kn * r * r}, .radius = r};
-}
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const T r = bond_radius(site, in[radius], in[radius_factor]);
+  const T ratio = std::isnan(double(in[kappa])) ? 2 * (1 + in[poisson]) : in[kappa];
+  const T kn = in[young] * RoundSection{r}.area() / site.length;
+  const T ks = kn / ratio;
+  return {.kn = kn, .ks = ks, .kt = 0.5 * ks * r * r, .kb = 0.25 * kn * r * r, .radius = r};
+};
 
 }  // namespace
 
@@ -32,7 +33,8 @@ BondLaw parallel_law() {
       .remark =
           "Springs spread over the section: ks does not fall with the bond's length, so slender bonds are "
           "too stiff in bending.",
-      .evaluate = evaluate,
+      .evaluate = value_of(formula),
+      .differentiate = derivative_of(formula),
   };
 }
 

@@ -1,3 +1,4 @@
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -14,20 +15,20 @@ enum Input : std::size_t {
   radius_factor
 };
 
-BondProperties evaluate(const BondSite& site, std::span<const double> in) {
-  const RoundSection section{bond_radius(site, in[radius], in[radius_factor])};
-  double normal = in[normal_stiffness], shear = in[shear_stiffness];
-  if (std::isnan(normal)) {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const RoundSection<T> section{bond_radius(site, in[radius], in[radius_factor])};
+  T normal = in[normal_stiffness], shear = in[shear_stiffness];
+  if (std::isnan(double(normal))) {
     // Deformability form: PFC takes the sum of the radii for the length, whatever the gap.
     normal = in[effective_modulus] / (site.radius_a + site.radius_b);
     shear = normal / in[stiffness_ratio];
   }
-  return {.stiffness = {.kn = normal * section.area(),
-                        .ks = shear * section.area(),
-                        .kt = shear * section.polar_moment(),
-                        .kb = normal * section.second_moment()},
+  return {.kn = normal * section.area(),
+          .ks = shear * section.area(),
+          .kt = shear * section.polar_moment(),
+          .kb = normal * section.second_moment(),
           .radius = section.radius};
-}
+};
 
 }  // namespace
 
@@ -51,7 +52,8 @@ BondLaw pfc_parallel_law() {
                        radius_ways()},
       .contact_point = {ContactPoint::Kind::gap},
       .remark = "radius_factor is PFC's radius multiplier (pb_rmul).",
-      .evaluate = evaluate,
+      .evaluate = value_of(formula),
+      .differentiate = derivative_of(formula),
   };
 }
 

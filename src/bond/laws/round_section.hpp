@@ -5,16 +5,18 @@
 
 namespace bondstatic {
 
+template <class T>
 struct RoundSection {
-  double radius = 0;
+  T radius = 0;
 
-  double area() const { return std::numbers::pi * radius * radius; }        ///< A
-  double second_moment() const { return 0.25 * area() * radius * radius; }  ///< I
-  double polar_moment() const { return 0.5 * area() * radius * radius; }    ///< J = 2 I
+  T area() const { return std::numbers::pi * radius * radius; }        ///< A
+  T second_moment() const { return 0.25 * area() * radius * radius; }  ///< I
+  T polar_moment() const { return 0.5 * area() * radius * radius; }    ///< J = 2 I
 };
 
 /// G = E / 2(1 + nu)
-inline double shear_modulus(double young, double poisson) {
+template <class T>
+T shear_modulus(const T& young, const T& poisson) {
   return young / (2 * (1 + poisson));
 }
 

@@ -1,9 +1,18 @@
 // Laws whose stiffness is given as such.
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 
 namespace bondstatic {
 namespace {
+
+constexpr auto contact = []<class T>(const BondSite&, std::span<const T> in) -> BondSection<T> {
+  return {.kn = in[0], .ks = in[1], .radius = in[2]};
+};
+
+constexpr auto generic = []<class T>(const BondSite&, std::span<const T> in) -> BondSection<T> {
+  return {.kn = in[0], .ks = in[1], .kt = in[2], .kb = in[3], .radius = in[4]};
+};
 
 Parameter normal_spring() {
   return required_input("kn", dimension::stiffness, "normal stiffness");
@@ -23,10 +32,8 @@ BondLaw contact_law() {
       .parameters = {normal_spring(), shear_spring(), stress_radius_input()},
       .contact_point = {ContactPoint::Kind::gap},
       .remark = "Carries no moment: packings held by it may be mechanisms.",
-      .evaluate =
-          [](const BondSite&, std::span<const double> in) {
-            return BondProperties{.stiffness = {.kn = in[0], .ks = in[1]}, .radius = in[2]};
-          },
+      .evaluate = value_of(contact),
+      .differentiate = derivative_of(contact),
   };
 }
 
@@ -42,11 +49,8 @@ BondLaw generic_law() {
                      stress_radius_input()},
       .contact_point = {ContactPoint::Kind::beam},
       .remark = "Every law with diagonal C is this one with its own formulas.",
-      .evaluate =
-          [](const BondSite&, std::span<const double> in) {
-            return BondProperties{.stiffness = {.kn = in[0], .ks = in[1], .kt = in[2], .kb = in[3]},
-                                  .radius = in[4]};
-          },
+      .evaluate = value_of(generic),
+      .differentiate = derivative_of(generic),
   };
 }
 

@@ -1,3 +1,4 @@
+#include "bond/laws/formula.hpp"
 #include "bond/laws/inputs.hpp"
 #include "bond/laws/laws.hpp"
 #include "bond/laws/round_section.hpp"
@@ -9,12 +10,14 @@ enum Input : std::size_t { young, poisson, radius_factor };
 
 /// Flexibility of a Timoshenko cantilever at its free end: w = shear F + coupling M, slope = coupling F +
 /// bending M.
+template <class T>
 struct Flexibility {
-  double axial, twist, shear, coupling, bending;
+  T axial, twist, shear, coupling, bending;
 };
 
-Flexibility cantilever(double length, const RoundSection& section, double e, double g) {
-  const double ei = e * section.second_moment(), ga = g * section.area();
+template <class T>
+Flexibility<T> cantilever(double length, const RoundSection<T>& section, const T& e, const T& g) {
+  const T ei = e * section.second_moment(), ga = g * section.area();
   return {.axial = length / (e * section.area()),
           .twist = length / (g * section.polar_moment()),
           .shear = length * length * length / (3 * ei) + round_form_factor * length / ga,
@@ -22,24 +25,24 @@ Flexibility cantilever(double length, const RoundSection& section, double e, dou
           .bending = length / ei};
 }
 
-BondProperties evaluate(const BondSite& site, std::span<const double> in) {
-  const RoundSection section_a{in[radius_factor] * site.radius_a},
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+  const RoundSection<T> section_a{in[radius_factor] * site.radius_a},
       section_b{in[radius_factor] * site.radius_b};
-  const double g = shear_modulus(in[young], in[poisson]), sum = site.radius_a + site.radius_b;
+  const T g = shear_modulus(in[young], in[poisson]);
+  const double sum = site.radius_a + site.radius_b;
   // Both ends by the same expression, so that swapping them changes not even the rounding.
-  const Flexibility a = cantilever(site.length * (site.radius_a / sum), section_a, in[young], g);
-  const Flexibility b = cantilever(site.length * (site.radius_b / sum), section_b, in[young], g);
+  const Flexibility<T> a = cantilever(site.length * (site.radius_a / sum), section_a, in[young], g);
+  const Flexibility<T> b = cantilever(site.length * (site.radius_b / sum), section_b, in[young], g);
   // Segment b hangs on the other end: seen along e_x its coupling has the opposite sign.
-  const double shear = a.shear + b.shear, bending = a.bending + b.bending, coupling = a.coupling - b.coupling;
-  const double determinant =
-      shear * bending - coupling * coupling;  // >= shear bending / 4, so no cancellation
-  return {.stiffness = {.kn = 1 / (a.axial + b.axial),
-                        .ks = bending / determinant,
-                        .kt = 1 / (a.twist + b.twist),
-                        .kb = shear / determinant,
-                        .coupling = -coupling / determinant},
+  const T shear = a.shear + b.shear, bending = a.bending + b.bending, coupling = a.coupling - b.coupling;
+  const T determinant = shear * bending - coupling * coupling;  // >= shear bending / 4, so no cancellation
+  return {.kn = 1 / (a.axial + b.axial),
+          .ks = bending / determinant,
+          .kt = 1 / (a.twist + b.twist),
+          .kb = shear / determinant,
+          .coupling = -coupling / determinant,
           .radius = std::min(section_a.radius, section_b.radius)};
-}
+};
 
 }  // namespace
 
@@ -65,7 +68,8 @@ BondLaw two_segment_law() {
           "point it is transformed, so that the bond stays the same and only its moments are reported "
           "elsewhere. Stresses are those of the thinner segment. Equal radii give timoshenko.",
       .stiffness_at_own_contact_point = true,
-      .evaluate = evaluate,
+      .evaluate = value_of(formula),
+      .differentiate = derivative_of(formula),
   };
 }
 
