@@ -3,7 +3,8 @@
 
 # libopenblas0-pthread by name: libsuitesparse-dev is content with the much slower reference BLAS.
 solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev
-                 nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev)
+                 nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev
+                 libceres-dev libboost-dev)
 # PETSc brings MPI and about 90 packages: only for those who ask for it, and for the tests.
 petsc_packages=(petsc-dev pkgconf)
 # The last three are other codes, whose files are read: yade brings about 100 packages.

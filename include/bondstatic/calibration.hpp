@@ -4,9 +4,10 @@
 //     minimise  sum_i rho(((J_i(p) - wanted_i) / tolerance_i)^2)   over  lower <= p <= upper
 //
 // Intervals are those of the linearised problem at the solution: covariance (S^T S)^-1 with S_ij = dJ_i/dp_j
-// / tolerance_i, in the logarithm of a parameter that is scaled so. Where tolerances are given they are the
-// standard deviations of what was measured; where none is, the residuals tell their common size (Student's
-// t).
+// / tolerance_i, in the logarithm of a parameter that is scaled so, else over its range upper - lower. Where
+// tolerances are given they are the standard deviations of what was measured; where none is, the residuals
+// tell their common size (Student's t). All targets have tolerances or none has. Under a robust loss a row of
+// S counts by rho'.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +32,7 @@ struct CalibrationParameter {
 
 struct CalibrationTarget {
   std::string output;  ///< name of an Output of the test
-  std::string test;    ///< name of a CalibrationTest; "": of all, the mean over them is not taken
+  std::string test;    ///< name of a CalibrationTest; "": in each that has the output, a datum each
   double wanted = 0;   ///< as the output is told, scale included
   double tolerance =
       not_given;  ///< standard deviation of what was measured, in the output's unit; NaN: not known
@@ -48,6 +49,7 @@ struct CalibrationTest {
   std::vector<std::vector<BlockParameter>> parameters;  ///< [parameter]: all move together; may be none
 };
 
+/// Robust ones need tolerances: beyond 1.345 (huber) or 2.385 (cauchy) of them residuals count less.
 enum class Loss { squares, huber, cauchy };
 
 struct CalibrationOptions {
@@ -61,7 +63,7 @@ struct CalibrationOptions {
 /// One evaluation of all tests.
 struct CalibrationStep {
   std::vector<double> parameters;
-  double cost = 0;  ///< half the sum that is minimised
+  double cost = 0;  ///< half the sum that is minimised; NaN where a solve failed
   double seconds = 0;
   bool accepted = true;
 };
@@ -70,17 +72,19 @@ struct CalibratedParameter {
   std::string name;
   double value = 0;
   double lower_95 = not_given,
-         upper_95 = not_given;  ///< NaN where the tests cannot tell; not cut at the bounds
+         upper_95 = not_given;  ///< NaN where the tests cannot tell, and at a bound; not cut at the bounds
   bool at_bound = false;        ///< the bound holds it, the targets pull on
 };
 
 struct AchievedTarget {
   std::string output, test;
   double wanted = 0, achieved = 0;
-  double residual = 0;  ///< over the tolerance
+  double residual = 0;  ///< over the tolerance; without, over |wanted| (or 1), times the weight
 };
 
-/// A direction of parameters that the targets do not see.
+/// A direction of parameters that the targets do not see: its singular value is below 1e-8 of the largest,
+/// rows and columns of S scaled to length 1. A product of powers is named where start and solution show the
+/// same.
 struct Unidentified {
   std::vector<double> direction;  ///< unit, by parameter, in the scaled ones (ln p)
   std::string sentence;  ///< "young and radius_factor act only through young radius_factor^2 in these tests"
@@ -92,18 +96,18 @@ struct CalibrationResult {
   std::string reason;      ///< why it ended, as a sentence
   std::vector<CalibratedParameter> parameters;
   std::vector<AchievedTarget> targets;
-  Eigen::MatrixXd correlation;  ///< of the parameters; NaN where they cannot be told apart
-  Eigen::VectorXd
-      singular_values;  ///< of S, descending; relative change of a parameter (ln p) over tolerances
+  Eigen::MatrixXd correlation;      ///< of the parameters; NaN where they have no interval
+  Eigen::VectorXd singular_values;  ///< of S, descending; per ln p, or per range, over tolerances
   std::vector<Unidentified> unidentified;
   std::vector<CalibrationStep> history;
-  int solves = 0;  ///< evaluations times tests
+  int solves = 0;  ///< evaluations times tests that have targets
   std::vector<std::string> warnings;
 };
 
 /// Throws Error (invalid_input) where there are no targets or parameters, more parameters than targets,
-/// bounds that exclude everything, names that are not there, numbers that are not finite; and what
-/// StaticAnalysis throws at the start. Where a solve fails on the way, steps are shortened.
+/// bounds that exclude everything or leave a law's own, names that are not there, numbers that are not
+/// finite, or this build has no Ceres; what StaticAnalysis throws at the start; and what `progress` throws.
+/// Where a solve fails on the way (law, mechanism, accuracy), steps are shortened.
 CalibrationResult calibrate(const std::vector<CalibrationTest>& tests,
                             const std::vector<CalibrationParameter>& parameters,
                             const std::vector<CalibrationTarget>& targets,

@@ -39,4 +39,24 @@ struct Case {
 Case read_case(const std::string& file, const std::vector<std::string>& overrides = {},
                const std::string& resolved_folder = "", Purpose purpose = Purpose::statics, int threads = 1);
 
+/// What [calibration] of a case asks for, its other cases read: the arguments of calibrate().
+struct CalibrationProblem {
+  Case given;                          ///< the case itself without model and outputs: the tests have them
+  std::vector<CalibrationTest> tests;  ///< the case, or the case once for each seed, then the other cases
+  std::vector<CalibrationParameter> parameters;
+  std::vector<CalibrationTarget> targets;  ///< each of one test
+  CalibrationOptions options;
+  std::vector<std::string> warnings;  ///< of all cases
+};
+
+/// `overrides` are of the case itself, not of those beside it. Throws what read_case() throws, and InputError
+/// where the case has no [calibration], or where none of its parameters is in a test.
+CalibrationProblem read_calibration(const std::string& file, const std::vector<std::string>& overrides = {},
+                                    int threads = 1);
+
+/// Content of a case file in `folder`: the case with what calibrate() found in place of its parameters;
+/// `values` are in the order of `problem.parameters`.
+std::string calibrated_case(const CalibrationProblem& problem, const std::vector<std::string>& overrides,
+                            const std::string& folder, const std::vector<double>& values);
+
 }  // namespace bondstatic

@@ -18,14 +18,28 @@ struct Output {
   std::string name;
   std::string of;           ///< a particle or bond column ("uy", "sigma"), or a global (output_quantities())
   std::vector<Index> at;    ///< model positions of particles, or of bonds for a bond column
-  std::vector<Index> base;  ///< apparent_young: the platen that stands still
-  Vector3 axis = Vector3::UnitZ();  ///< apparent_young: from base to at
-  Reduce reduce = Reduce::value;    ///< value: exactly one particle or bond
+  std::vector<Index> base;  ///< apparent_young, apparent_poisson: the platen that stands still
+  Vector3 axis = Vector3::UnitZ();  ///< of the two: from base to at
+  /// apparent_poisson: particles whose sides are measured; empty: the middle third between the platens.
+  std::vector<Index> middle;
+  Reduce reduce = Reduce::value;  ///< value: exactly one particle or bond
   double scale = 1;
   std::string load_case;
   std::optional<double> expected;
   double tolerance = 1e-9;  ///< relative, on `expected`
   std::string source;       ///< where `expected` comes from
+};
+
+/// How an output changes with one parameter of the law of one [[bonds]] block.
+struct ParameterSensitivity {
+  Index block = 0;
+  std::string parameter;
+  double value = not_given;  ///< of the parameter; NaN where bonds of the block differ
+  double derivative = 0;     ///< d(output)/d(parameter), changed by the same amount in all bonds of the block
+  double elasticity =
+      not_given;  ///< relative change of the output for one of the parameter; NaN for output 0
+  std::vector<double> of_bond = {};  ///< d(output)/d(a bond's own value) of all bonds of the model, NaN in
+                                     ///< other blocks; where asked for
 };
 
 struct OutputValue {
@@ -34,6 +48,7 @@ struct OutputValue {
   std::optional<double> expected;
   double tolerance = 1e-9;
   std::string source;
+  std::vector<ParameterSensitivity> sensitivities = {};  ///< where asked for
 
   /// |value - expected| / |expected|, or |value| where zero is expected; NaN without expectation.
   double relative_error() const;

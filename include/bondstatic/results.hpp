@@ -8,6 +8,9 @@
 //                tau, energy (fx ... mz: what the bond does to particle b, at the contact point, global axes)
 // model.vtu      points are particles, lines are bonds; the columns above, vectors where they are vectors
 //
+// Where outputs have sensitivities: sensitivities.csv, and bond_sensitivities.csv where they have them bond
+// by bond.
+//
 // A run of several ranks writes the rows of rank 0, then of rank 1, ...; its grid is model.pvtu with a piece
 // a rank beside it (model_0.vtu, ...). Particles that a piece borrows from another one for its bonds are
 // marked in vtkGhostType as copies; their reactions, which only their own rank knows, are NaN.
@@ -25,6 +28,7 @@
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
 #include "bondstatic/relaxation.hpp"
+#include "bondstatic/resolution.hpp"
 #include "bondstatic/statics.hpp"
 
 namespace bondstatic {
@@ -36,6 +40,7 @@ struct RunInfo {
   std::string resolved;  ///< content of case.resolved.toml
   bool si = false;
   std::vector<std::string> warnings;
+  std::vector<BlockResolution> resolution = {};
 };
 
 /// What reports and summary.json tell of a model: plain data that stays when the model goes.
@@ -71,7 +76,7 @@ std::string summary_json(const ModelFacts& model, const RunInfo& run, const Stat
 void check_result_folder(const ModelFacts& model, const std::string& folder, int ranks = 1);
 
 // The same where one process has the whole model.
-std::vector<std::string> result_files(const Model& model);
+std::vector<std::string> result_files(const Model& model, const std::vector<OutputValue>& outputs = {});
 std::string summary_json(const Model& model, const RunInfo& run, const StaticSolution& solution,
                          const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
 void check_result_folder(const Model& model, const std::string& folder);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "app/parsed_commands.hpp"
@@ -27,10 +28,18 @@ ParsedCommand solve_command(CLI::App& app) {
   const auto arguments = std::make_shared<SolveArguments>();
   add_solve_options(*parser, *arguments);
   parser->add_flag("--json", arguments->json, "print the answer as JSON");
+  const auto sensitivities = std::make_shared<Sensitivities>(Sensitivities::none);
+  parser->add_flag_callback(
+      "--sensitivities",
+      [sensitivities] { *sensitivities = std::max(*sensitivities, Sensitivities::by_block); },
+      "derivatives of the outputs to the parameters of the bonds, exact");
+  parser->add_flag_callback(
+      "--bond-sensitivities", [sensitivities] { *sensitivities = Sensitivities::by_bond; },
+      "the same to each bond's own, too: bond_sensitivities.csv");
   return {parser,
-          [arguments](const std::vector<std::string>& backend_options, Ranks* ranks) {
+          [arguments, sensitivities](const std::vector<std::string>& backend_options, Ranks* ranks) {
             arguments->backend_options = backend_options;
-            return solve(*arguments, ranks);
+            return solve(*arguments, *sensitivities, ranks);
           },
           true, true};
 }
@@ -89,10 +98,25 @@ ParsedCommand check_command(CLI::App& app) {
           true};
 }
 
+ParsedCommand calibrate_command(CLI::App& app) {
+  CLI::App* parser = app.add_subcommand(
+      "calibrate", "find the bond parameters that make outputs of the case what was measured: [calibration]");
+  const auto arguments = std::make_shared<SolveArguments>();
+  add_solve_options(*parser, *arguments);
+  parser->add_flag("--json", arguments->json, "print the answer as JSON");
+  return {parser,
+          [arguments](const std::vector<std::string>& backend_options, Ranks*) {
+            arguments->backend_options = backend_options;
+            return calibrate(*arguments);
+          },
+          true};
+}
+
 }  // namespace
 
 std::vector<ParsedCommand> add_case_commands(CLI::App& app) {
-  return {solve_command(app), sweep_command(app), relax_command(app), check_command(app)};
+  return {solve_command(app), sweep_command(app), relax_command(app), check_command(app),
+          calibrate_command(app)};
 }
 
 }  // namespace bondstatic

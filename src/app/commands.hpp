@@ -21,8 +21,12 @@ struct SolveArguments {
   int threads = 0;                           ///< 0: the case's choice
   bool json = false;
 };
+/// Derivatives of the outputs to the parameters of the bonds' laws.
+enum class Sensitivities { none, by_block, by_bond };
+
 /// `ranks`: the processes that solve it together, null for one.
-ExitCode solve(const SolveArguments& arguments, Ranks* ranks = nullptr);
+ExitCode solve(const SolveArguments& arguments, Sensitivities sensitivities = Sensitivities::none,
+               Ranks* ranks = nullptr);
 
 struct SweepArguments {
   SolveArguments solve;
@@ -38,6 +42,8 @@ struct RelaxArguments {
 ExitCode relax(const RelaxArguments& arguments);
 
 ExitCode check(const SolveArguments& arguments);
+
+ExitCode calibrate(const SolveArguments& arguments);
 
 /// All laws where `name` is empty.
 ExitCode laws(const std::string& name, bool json);

@@ -71,8 +71,8 @@ ParsedCommand export_command(CLI::App& app) {
 }
 
 ParsedCommand compare_command(CLI::App& app) {
-  CLI::App* parser =
-      app.add_subcommand("compare", "a DEM run's end state beside the static answer: the same, and if not, why");
+  CLI::App* parser = app.add_subcommand(
+      "compare", "a DEM run's end state beside the static answer: the same, and if not, why");
   const auto arguments = std::make_shared<CompareArguments>();
   add_solve_options(*parser, arguments->solve);
   parser->add_option("RUN", arguments->run, "dump or table with ids, positions and orientations")->required();
@@ -97,7 +97,8 @@ ParsedCommand compare_command(CLI::App& app) {
       ->add_option("--tolerance", arguments->tolerance,
                    "on the relative difference of displacements and rotations (default: 1e-3)")
       ->type_name("T");
-  parser->add_option("--load-case", arguments->load_case, "the load case that the run has")->type_name("NAME");
+  parser->add_option("--load-case", arguments->load_case, "the load case that the run has")
+      ->type_name("NAME");
   parser->add_flag("--json", arguments->solve.json, "print the comparison as JSON");
   return {parser,
           [arguments](const std::vector<std::string>& backend_options, Ranks*) {

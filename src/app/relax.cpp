@@ -64,7 +64,8 @@ Probes outputs_as_probes(const Case& given, const State& state) {
 
 std::uint64_t fingerprint_of(const std::vector<Output>& outputs) {
   Archive f;
-  for (const Output& o : outputs) f(o.name, o.of, o.at, o.base, o.axis, o.reduce, o.scale, o.load_case);
+  for (const Output& o : outputs)
+    f(o.name, o.of, o.at, o.base, o.axis, o.middle, o.reduce, o.scale, o.load_case);
   return f.checksum();
 }
 

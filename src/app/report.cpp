@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/resolution_report.hpp"
 #include "app/terminal.hpp"
 
 namespace bondstatic {
@@ -56,6 +57,24 @@ std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) 
     for (auto& row : table.rows) row.resize(2);
   return to_text(table, 2);
 }
+
+namespace {
+
+/// Nothing where nothing was asked for.
+std::string sensitivities_table(const Model& model, const std::vector<OutputValue>& outputs) {
+  Table table{{{"sensitivity of", "to", "of bonds", "value", "derivative", "% per %"}},
+              {false, false, false, true, true, true}};
+  for (const OutputValue& output : outputs)
+    for (const ParameterSensitivity& of : output.sensitivities)
+      table.rows.push_back({output.name, of.parameter,
+                            fmt::format("{}, {}", of.block, model.blocks[std::size_t(of.block)].law),
+                            std::isnan(of.value) ? "differs" : fmt::format("{:.7g}", of.value),
+                            fmt::format("{:.7g}", of.derivative),
+                            std::isnan(of.elasticity) ? "" : fmt::format("{:.4f}", of.elasticity)});
+  return table.rows.size() == 1 ? "" : "\n" + to_text(table, 2);
+}
+
+}  // namespace
 
 std::string displacement_table(const std::vector<const State*>& states,
                                const std::vector<LargestDisplacement>& largest) {
@@ -177,8 +196,11 @@ std::string report(const Case& given, const ModelFacts& model, const Answer& ans
   for (const State& state : answer.solution.cases) states.push_back(&state);
   std::string text = heading(given, model) + "\n";
   text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(answer.outputs);
+  text += sensitivities_table(given.model, answer.outputs);
   if (answer.solution.effective) text += "\n" + effective_text(*answer.solution.effective);
   Table lines = facts(answer.solution);
+  for (const std::string& line : resolution_texts(answer.resolution))
+    lines.rows.push_back({"bond law", wrapped(line, 12)});
   if (!files.empty())
     lines.rows.push_back({"written", wrapped(fmt::format("{}: {}", folder, names_of(files)), 12)});
   text += "\n" + to_text(lines, 2);
@@ -187,7 +209,7 @@ std::string report(const Case& given, const ModelFacts& model, const Answer& ans
 
 std::string report(const Case& given, const Answer& answer, const std::string& folder) {
   const std::vector<std::string> files =
-      folder.empty() ? std::vector<std::string>{} : result_files(given.model);
+      folder.empty() ? std::vector<std::string>{} : result_files(given.model, answer.outputs);
   return report(given, facts_of(given.model), answer, largest_displacements(given.model, answer.solution),
                 folder, files);
 }

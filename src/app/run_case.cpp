@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "bondstatic/sensitivity.hpp"
+#include "results/sensitivities.hpp"
 #include "solver/machine.hpp"
+#include "statics/stopwatch.hpp"
 
 namespace bondstatic {
 
@@ -15,11 +18,29 @@ Case read_case(const SolveArguments& arguments, const std::vector<std::string>& 
   return given;
 }
 
-Answer answer(const Case& given, const std::function<void(const std::string&)>& progress) {
+Answer answer(const Case& given, const std::function<void(const std::string&)>& progress,
+              Sensitivities sensitivities) {
   StaticOptions options = given.solve;
   options.progress = progress;
-  Answer result{solve_statics(given.model, options), {}};
+  if (sensitivities == Sensitivities::none) {
+    Answer result{solve_statics(given.model, options), {}};
+    result.outputs = evaluate_outputs(given.model, result.solution, given.outputs);
+    return result;
+  }
+  if (given.outputs.empty())
+    throw Error(ExitCode::invalid_input,
+                given.file +
+                    ": no outputs to differentiate\n    cure: add [[outputs]], the numbers that you ask for");
+  StaticAnalysis analysis(given.model, options);
+  Answer result{analysis.solve(), {}};
+  StaticReport& report = result.solution.report;
   result.outputs = evaluate_outputs(given.model, result.solution, given.outputs);
+  Stopwatch timed(report.phases, options.progress);
+  const auto warnings = timed("sensitivities", [&] {
+    return add_sensitivities(result.outputs, given.outputs, given.model, result.solution, analysis,
+                             sensitivities == Sensitivities::by_bond, report.threads);
+  });
+  report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   return result;
 }
 

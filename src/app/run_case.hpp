@@ -20,9 +20,11 @@ Case read_case(const SolveArguments& arguments, const std::vector<std::string>& 
 struct Answer {
   StaticSolution solution;
   std::vector<OutputValue> outputs;
+  std::vector<BlockResolution> resolution = {};  ///< of `solve`
 };
 
-/// `progress` hears of each phase.
-Answer answer(const Case& given, const std::function<void(const std::string&)>& progress);
+/// `progress` hears of each phase. Throws Error (invalid_input) where sensitivities are asked of no outputs.
+Answer answer(const Case& given, const std::function<void(const std::string&)>& progress,
+              Sensitivities sensitivities = Sensitivities::none);
 
 }  // namespace bondstatic

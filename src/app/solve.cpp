@@ -11,7 +11,10 @@
 
 namespace bondstatic {
 
-ExitCode solve(const SolveArguments& arguments, Ranks* ranks) {
+ExitCode solve(const SolveArguments& arguments, Sensitivities sensitivities, Ranks* ranks) {
+  if (ranks && sensitivities != Sensitivities::none)
+    throw Error(ExitCode::invalid_input,
+                "--sensitivities: one process finds them\n    cure: run it without mpirun");
   if (ranks) return solve_on_ranks(arguments, *ranks);
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -21,11 +24,13 @@ ExitCode solve(const SolveArguments& arguments, Ranks* ranks) {
   const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
   if (!arguments.folder.empty()) check_result_folder(facts_of(given.model), arguments.folder);
 
-  Answer result = answer(given, [&](const std::string& phase) { status.show(phase); });
+  Answer result = answer(
+      given, [&](const std::string& phase) { status.show(phase); }, sensitivities);
+  result.resolution = resolution_of(given.model, result.solution.report.threads);
   auto& phases = result.solution.report.phases;
   phases.insert(phases.begin(), {"read", reading});
 
-  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
+  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings, result.resolution};
   if (!arguments.folder.empty()) {
     status.show("write");
     const DeferredInterrupts guard;
@@ -35,7 +40,7 @@ ExitCode solve(const SolveArguments& arguments, Ranks* ranks) {
   status.clear();
 
   const std::vector<std::string> files =
-      arguments.folder.empty() ? std::vector<std::string>{} : result_files(given.model);
+      arguments.folder.empty() ? std::vector<std::string>{} : result_files(given.model, result.outputs);
   fmt::print("{}", arguments.json ? summary_json(given.model, run, result.solution, result.outputs, files)
                                   : report(given, result, arguments.folder));
   return ExitCode::done;

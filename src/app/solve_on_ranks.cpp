@@ -52,11 +52,13 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
   show("read");
   Case given;
   ModelFacts facts;
+  std::vector<BlockResolution> resolution;
   if (first) {
     given = read_case(arguments, arguments.overrides);
     facts = facts_of(given.model);
     if (!arguments.folder.empty()) check_result_folder(facts, arguments.folder, ranks.size());
     refuse_contradictions(given.model);
+    resolution = resolution_of(given.model);
   }
   agree(&ranks);
   StaticOptions options = unpacked<StaticOptions>(ranks.broadcast(packed(given.solve)));
@@ -68,7 +70,7 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
   const double reading = std::chrono::duration<double>(Clock::now() - begin).count();
 
   const auto whole = [&] { return read_case(arguments, arguments.overrides).model; };
-  Answer result{solve_statics(Partners{piece, ranks, whole}, options), {}};
+  Answer result{solve_statics(Partners{piece, ranks, whole}, options), {}, resolution};
   StaticSolution& solution = result.solution;
   agree(&ranks);
   result.outputs = evaluate_outputs_on_ranks(given.outputs, piece, solution, ranks);
@@ -77,7 +79,7 @@ ExitCode solve_on_ranks(const SolveArguments& arguments, Ranks& ranks) {
   agree(&ranks);
   solution.report.phases.insert(solution.report.phases.begin(), {"read", reading});
 
-  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings};
+  const RunInfo run{given.title, given.file, given.resolved, given.si, given.warnings, result.resolution};
   std::vector<std::string> files;
   if (!arguments.folder.empty()) {
     show("write");

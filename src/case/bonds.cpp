@@ -37,11 +37,12 @@ ContactPoint read_contact_point(TableReader& block) {
 }
 
 /// Gap, contact radius factor or file; the factor may stand beside the others where the contact point needs
-/// it.
-Formation read_formation(TableReader& block, const ContactPoint& contact_point, bool& from_file) {
+/// it. Bonds that are listed form by none of them.
+Formation read_formation(TableReader& block, const ContactPoint& contact_point, bool listed,
+                         bool& from_file) {
   std::vector<std::string> ways{"gap", "contact_radius_factor", "file"};
-  const bool factor_is_taken =
-      contact_point.kind == ContactPoint::Kind::contact_radii && (block.has("gap") || block.has("file"));
+  const bool factor_is_taken = contact_point.kind == ContactPoint::Kind::contact_radii &&
+                               (listed || block.has("gap") || block.has("file"));
   if (factor_is_taken) ways.erase(ways.begin() + 1);
   const std::string way = block.at_most_one_of(ways);
   from_file = way == "file";
@@ -173,6 +174,30 @@ bool cell_is_large_enough(Draft& draft, TableReader& block, const Formation& for
   return true;
 }
 
+/// Of rows that are listed, those with one end in each group.
+void keep_between(const PositionLists& groups, BondRows& rows) {
+  const auto has = [](const std::vector<Index>& group, Index particle) {
+    return std::binary_search(group.begin(), group.end(), particle);
+  };
+  std::vector<Index> kept;
+  for (std::size_t row = 0; row < rows.a.size(); ++row) {
+    const Index a = rows.a[row], b = rows.b[row];
+    if ((has(groups.first, a) && has(groups.second, b)) || (has(groups.first, b) && has(groups.second, a)))
+      kept.push_back(Index(row));
+  }
+  const auto keep = [&](auto& values) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[std::size_t(kept[i])];
+    values.resize(kept.size());
+  };
+  keep(rows.a);
+  keep(rows.b);
+  keep(rows.ids);
+  keep(rows.fractions);
+  for (auto& column : rows.overrides) keep(column.second);
+  if (!rows.places.empty()) rows.places.keep(kept);
+}
+
 /// Bonds of the rows that were not skipped, with their own parameters.
 void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
   for (std::size_t row = 0; row < rows.a.size(); ++row) {
@@ -183,11 +208,14 @@ void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
   }
 }
 
-void read_block(Draft& draft, TableReader& block) {
+}  // namespace
+
+void read_bond_block(Draft& draft, TableReader& block, const ListedBonds* listed) {
   Reading& reading = draft.reading;
   const std::size_t before = reading.faults.size();
   auto file = block.has("file") ? open_bond_file(draft, block) : std::nullopt;
-  const BondLaw* law = read_law(block, file && file->gives_stiffness() ? "generic" : "");
+  const bool stiffness_given = listed ? listed->gives_stiffness : file && file->gives_stiffness();
+  const BondLaw* law = read_law(block, stiffness_given ? "generic" : "");
   BondBlock made;
   std::vector<double> given;
   if (law) {
@@ -197,7 +225,7 @@ void read_block(Draft& draft, TableReader& block) {
   const bool parameters_read = reading.faults.size() == before;
   made.contact_point = read_contact_point(block);
   bool from_file = false;
-  const Formation formation = read_formation(block, made.contact_point, from_file);
+  const Formation formation = read_formation(block, made.contact_point, listed != nullptr, from_file);
   const auto between = read_between(draft, block, from_file);
   const std::string existing =
       block.choice_or("existing", "error", std::vector<std::string>{"error", "add", "skip"});
@@ -207,16 +235,21 @@ void read_block(Draft& draft, TableReader& block) {
   if (!law) return block.accept_any();  // its parameters are unknown
 
   std::optional<BondRows> rows;
-  if (from_file && file) rows = bond_rows(draft, std::move(*file), *law, given);
+  if (listed)
+    rows = listed->rows(*law, given);
+  else if (from_file && file)
+    rows = bond_rows(draft, std::move(*file), *law, given);
+  if (listed && rows && between) keep_between(*between, *rows);
   if (rows && !rows->overrides.empty())
     made.parameters = given;  // each bond completes them in its own way
-  else if (parameters_read && (rows || !from_file))
+  else if (parameters_read && (rows || !(from_file || listed)))
     made.parameters = complete_parameters(block, *law, given);
   if (reading.faults.size() != before || !draft.particles_known) return;
 
   std::vector<std::pair<Index, Index>> formed;
   std::vector<BondedImage> across;
   const PositionLists* lists = between ? &*between : nullptr;
+  if (listed && !rows) return;
   if (!rows && draft.model.cell && !cell_is_large_enough(draft, block, formation, lists)) return;
   if (!rows && draft.model.cell)
     across = bonded_images(draft.model.particles, *draft.model.cell, formation, lists, reading.threads);
@@ -240,12 +273,10 @@ void read_block(Draft& draft, TableReader& block) {
   draft.model.blocks.push_back(std::move(made));
 }
 
-}  // namespace
-
 void read_bonds(Draft& draft, Node* list) {
   for_each_table(draft.reading, list, "bonds", [&](TableReader& block) {
     const std::size_t before = draft.reading.faults.size();
-    read_block(draft, block);
+    read_bond_block(draft, block, nullptr);
     if (draft.reading.faults.size() != before) draft.bonds_known = false;
   });
 }

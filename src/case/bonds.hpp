@@ -15,11 +15,24 @@
 // largest so far, from 1.
 #pragma once
 
+#include <functional>
+#include <optional>
+
+#include "case/bond_rows.hpp"
 #include "case/draft.hpp"
 #include "case/table_reader.hpp"
 
 namespace bondstatic {
 
 void read_bonds(Draft& draft, Node* list);
+
+/// Bonds that are listed elsewhere than in a file of the block; rows as bond_rows() gives them.
+struct ListedBonds {
+  bool gives_stiffness = false;  ///< law "generic" then goes without saying
+  std::function<std::optional<BondRows>(const BondLaw& law, const std::vector<double>& given)> rows;
+};
+
+/// One block; `listed` takes the place of its file, and `between` then chooses among the rows. May be null.
+void read_bond_block(Draft& draft, TableReader& block, const ListedBonds* listed);
 
 }  // namespace bondstatic

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "case/bonds.hpp"
+#include "case/calibration.hpp"
 #include "case/cell.hpp"
 #include "case/dynamic_options.hpp"
 #include "case/load_cases.hpp"
@@ -54,13 +55,12 @@ RelaxOptions read_relax_options(Reading& reading, Node& root, TableReader& top) 
   return options;
 }
 
-/// Tables of parts of the program that neither `solve` nor a run through time uses.
+/// Of a part of the program that is not there yet.
 void warn_of_reserved(Draft& draft, TableReader& top) {
   const char* user = draft.reading.purpose == Purpose::dynamics ? "a run through time" : "solve";
-  for (const char* name : {"fracture", "calibration"})
-    if (const Node* node = top.find(name))
-      draft.reading.warnings.push_back(
-          fmt::format("{}:{}: [{}] is not used by {}", node->place.file, node->place.line, name, user));
+  if (const Node* node = top.find("fracture"))
+    draft.reading.warnings.push_back(
+        fmt::format("{}:{}: [fracture] is not used by {}", node->place.file, node->place.line, user));
 }
 
 }  // namespace
@@ -91,6 +91,7 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   read_loads(draft, top.find("loads"));
   complete_cell(draft, top.has("loads"), top.has("supports"));
   out.outputs = read_outputs(draft, top.find("outputs"));
+  if (top.has("calibration")) out.calibration = read_calibration_plan(draft, root, out.outputs);
   warn_of_reserved(draft, top);
   top.finish();
 

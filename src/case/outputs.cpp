@@ -6,6 +6,7 @@
 
 #include "case/selector.hpp"
 #include "io/nearest_name.hpp"
+#include "model/middle_third.hpp"
 
 namespace bondstatic {
 namespace {
@@ -33,14 +34,32 @@ std::optional<Quantity::Where> read_quantity(TableReader& block, Output& output)
   return std::nullopt;
 }
 
+/// The rest of apparent_poisson's specimen: what stands in for `middle` is chosen here, where the whole model
+/// is at hand.
+void read_middle(Draft& draft, TableReader& block, Output& output) {
+  if (block.has("middle")) {
+    output.middle = select_particles(draft, block, "middle").value_or(output.middle);
+    return;
+  }
+  if (output.at.empty() || output.base.empty()) return;  // at fault
+  output.middle = middle_third(draft.model, output.base, output.at, output.axis);
+  if (output.middle.empty())
+    draft.reading.fault(block.place(),
+                        fmt::format("output \"{}\": no centre lies in the middle third between the platens "
+                                    "base and at, where the sides would be measured",
+                                    output.name),
+                        "add middle = { .. }, the particles whose sides are measured, or check axis");
+}
+
 void read_places(Draft& draft, TableReader& block, Quantity::Where where, Output& output) {
   if (where == Quantity::Where::particle)
     output.at = select_particles(draft, block, "at").value_or(output.at);
   if (where == Quantity::Where::bond) output.at = select_bonds(draft, block, "at").value_or(output.at);
-  if (output.of == "apparent_young") {
+  if (output.of == "apparent_young" || output.of == "apparent_poisson") {
     output.at = select_particles(draft, block, "at").value_or(output.at);
     output.base = select_particles(draft, block, "base").value_or(output.base);
     output.axis = block.axis_or("axis", "z");
+    if (output.of == "apparent_poisson") read_middle(draft, block, output);
   } else if (where == Quantity::Where::model && block.has("at")) {
     draft.reading.fault(block.place_of("at"), fmt::format("{} is a quantity of the whole model", output.of),
                         "remove at");

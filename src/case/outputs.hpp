@@ -1,5 +1,6 @@
-// [[outputs]]: name, of, at, base and axis (apparent_young: from the platen base to the platen at), reduce,
-// scale, case, expected, tolerance, source.
+// [[outputs]]: name, of, at, base and axis (apparent_young, apparent_poisson: from the platen base to the
+// platen at), middle (apparent_poisson: where the sides are measured), reduce, scale, case, expected,
+// tolerance, source.
 #pragma once
 
 #include "bondstatic/output.hpp"

@@ -94,4 +94,12 @@ void apply_overrides(Node& root, const std::vector<std::string>& overrides, std:
   for (const std::string& setting : overrides) apply(root, setting, faults);
 }
 
+Node* find_node(Node& root, const std::string& key) {
+  Node* node = &root;
+  for (const std::string& part : split(key)) {
+    if (node) node = node->is_array() ? item_at(*node, part) : node->find(part);
+  }
+  return node;
+}
+
 }  // namespace bondstatic

@@ -14,4 +14,7 @@ namespace bondstatic {
 /// what is no table or list.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, std::vector<Fault>& faults);
 
+/// What such a key names in the tree; null where there is nothing.
+Node* find_node(Node& root, const std::string& key);
+
 }  // namespace bondstatic

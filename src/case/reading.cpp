@@ -106,6 +106,20 @@ std::optional<std::vector<std::string>> read_texts(Reading& reading, const Node&
   return texts;
 }
 
+std::string resolve_path(const Reading& reading, Node& text) {
+  namespace fs = std::filesystem;
+  const fs::path given = text.text;
+  const fs::path found = given.is_absolute() ? given : reading.folder / given;
+  std::error_code error;  // a path that cannot be followed is for the reader of the file to report
+  if (!reading.resolved_folder.empty() && !given.is_absolute()) {
+    const fs::path target = fs::weakly_canonical(fs::absolute(found, error), error);
+    const fs::path from = fs::weakly_canonical(fs::absolute(reading.resolved_folder, error), error);
+    const fs::path relative = target.lexically_relative(from);
+    if (!target.empty()) text.text = (relative.empty() ? target : relative).generic_string();
+  }
+  return found.lexically_normal().string();
+}
+
 std::optional<Vector3> read_axis(Reading& reading, const Node& node, const std::string& name) {
   if (node.is_text()) {
     for (int i = 0; i < 3; ++i)

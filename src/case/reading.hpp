@@ -44,6 +44,10 @@ std::optional<std::string> read_text(Reading& reading, const Node& node, const s
 std::optional<std::vector<std::string>> read_texts(Reading& reading, const Node& node,
                                                    const std::string& name);
 
+/// The path that a text names, relative paths taken from the case's folder. Rewritten in the tree for where
+/// the resolved case will lie.
+std::string resolve_path(const Reading& reading, Node& text);
+
 /// "x", "y", "z" or a vector other than zero; returned as a unit vector.
 std::optional<Vector3> read_axis(Reading& reading, const Node& node, const std::string& name);
 

@@ -129,18 +129,8 @@ std::string TableReader::one_of(std::span<const std::string> keys) {
 }
 
 std::optional<std::string> TableReader::path(const std::string& key) {
-  namespace fs = std::filesystem;
-  const auto given = text(key);
-  if (!given) return std::nullopt;
-  const fs::path found = fs::path(*given).is_absolute() ? fs::path(*given) : reading_.folder / *given;
-  std::error_code error;  // a path that cannot be followed is for the reader of the file to report
-  if (!reading_.resolved_folder.empty() && !fs::path(*given).is_absolute()) {
-    const fs::path target = fs::weakly_canonical(fs::absolute(found, error), error);
-    const fs::path from = fs::weakly_canonical(fs::absolute(reading_.resolved_folder, error), error);
-    const fs::path relative = target.lexically_relative(from);
-    if (!target.empty()) find(key)->text = (relative.empty() ? target : relative).generic_string();
-  }
-  return found.lexically_normal().string();
+  if (!text(key)) return std::nullopt;
+  return resolve_path(reading_, *find(key));
 }
 
 void TableReader::finish() {

@@ -48,7 +48,7 @@ struct ForeignModel {
   std::optional<Cell> cell;  ///< only where some direction is periodic
   /// Where a file has a box but does not say along which edges it repeats (LAMMPS data): none of them, here.
   std::optional<Cell> box;
-  bool si = false;           ///< the file says that its numbers are SI
+  bool si = false;  ///< the file says that its numbers are SI
   ImportNotes notes;
 };
 

@@ -12,6 +12,8 @@ struct Boundary {
   std::vector<Vector6> prescribed;  ///< motion where not free, zero elsewhere
   std::vector<Vector6> load;
   Matrix3 strain = Matrix3::Zero();  ///< of the periodic cell
+  /// What rounding `load` to double has left over; empty: nothing. Of loads that were computed, not given.
+  std::vector<Vector6> load_tail = {};
 };
 
 /// Throws Error (invalid_input) where two supports prescribe one degree of freedom differently.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/cell.hpp"
+#include "results/isotropic_slope.hpp"
 
 namespace bondstatic {
 
@@ -35,13 +36,19 @@ const std::vector<EffectiveQuantity>& effective_quantities() {
   static const std::vector<EffectiveQuantity> table = [] {
     std::vector<EffectiveQuantity> all{
         {"effective_young", "Young's modulus of the isotropic stiffness nearest to the cell's",
-         [](Effective e) { return e.isotropic.young; }},
-        {"effective_poisson", "Poisson's ratio of the same", [](Effective e) { return e.isotropic.poisson; }},
-        {"effective_misfit", "of the same, relative", [](Effective e) { return e.isotropic.misfit; }}};
+         [](Effective e) { return e.isotropic.young; },
+         [](Effective e) { return isotropic_young_slope(e.stiffness); }},
+        {"effective_poisson", "Poisson's ratio of the same", [](Effective e) { return e.isotropic.poisson; },
+         [](Effective e) { return isotropic_poisson_slope(e.stiffness); }},
+        {"effective_misfit", "of the same, relative", [](Effective e) { return e.isotropic.misfit; },
+         [](Effective e) { return isotropic_misfit_slope(e.stiffness); }}};
     for (const auto& [i, j] :
          {std::pair{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {1, 2}, {1, 3}, {2, 3}})
       all.push_back({fmt::format("effective_c{}{}", i, j), "component of the cell's stiffness, Voigt's order",
-                     [i = i, j = j](Effective e) { return e.stiffness(i - 1, j - 1); }});
+                     [i = i, j = j](Effective e) { return e.stiffness(i - 1, j - 1); },
+                     [i = i, j = j](Effective) {
+                       return Matrix6(Vector6::Unit(i - 1) * Vector6::Unit(j - 1).transpose());
+                     }});
     return all;
   }();
   return table;

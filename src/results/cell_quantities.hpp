@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct EffectiveQuantity {
   std::string name;  ///< "effective_young", "effective_c11" ...
   std::string meaning;
   std::function<double(const EffectiveStiffness&)> of;
+  /// d(quantity)/d(stiffness), component by component; nothing where there is none.
+  std::function<std::optional<Matrix6>(const EffectiveStiffness&)> slope;
 };
 const std::vector<EffectiveQuantity>& effective_quantities();
 const EffectiveQuantity* find_effective_quantity(const std::string& name);

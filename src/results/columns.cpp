@@ -40,12 +40,15 @@ std::vector<Column> particle_columns(const Model& model, const State& result) {
   return columns;
 }
 
-std::vector<Column> bond_columns(const Model& model, const State& result) {
+std::vector<Column> bond_ends(const Model& model) {
   const auto id_of = [&model](Index particle) { return model.particles[std::size_t(particle)].id; };
-  std::vector<Column> columns{
-      column_of("id", model.bonds, [](const Bond& bond) { return bond.id; }),
-      column_of("a", model.bonds, [id_of](const Bond& bond) { return id_of(bond.a); }),
-      column_of("b", model.bonds, [id_of](const Bond& bond) { return id_of(bond.b); })};
+  return {column_of("id", model.bonds, [](const Bond& bond) { return bond.id; }),
+          column_of("a", model.bonds, [id_of](const Bond& bond) { return id_of(bond.a); }),
+          column_of("b", model.bonds, [id_of](const Bond& bond) { return id_of(bond.b); })};
+}
+
+std::vector<Column> bond_columns(const Model& model, const State& result) {
+  std::vector<Column> columns = bond_ends(model);
   for (const BondQuantity& quantity : bond_quantities())
     columns.push_back(column_of(quantity.name, result.bonds, quantity.of));
   return columns;

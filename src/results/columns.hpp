@@ -11,6 +11,8 @@
 namespace bondstatic {
 
 std::vector<Column> particle_columns(const Model& model, const State& result);
+/// id, a, b.
+std::vector<Column> bond_ends(const Model& model);
 std::vector<Column> bond_columns(const Model& model, const State& result);
 
 /// id, radius; displacement, rotation, reaction_force, reaction_moment as vectors.

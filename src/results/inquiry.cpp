@@ -7,7 +7,7 @@
 
 namespace bondstatic {
 
-void describe(Archive& archive, PlatenParticle& p) {
+void describe(Archive& archive, SpecimenParticle& p) {
   archive(p.position, p.displacement, p.reaction);
 }
 
@@ -16,7 +16,7 @@ void describe(Archive& archive, Question& q) {
 }
 
 void describe(Archive& archive, Reply& r) {
-  archive(r.places, r.values, r.platen, r.box.low, r.box.high);
+  archive(r.places, r.values, r.specimen, r.box.low, r.box.high);
 }
 
 namespace {
@@ -48,12 +48,13 @@ Reply reply_to(const Question& question, const Piece& piece, const StaticSolutio
       found.places.push_back(place);
       found.values.push_back(quantity.of(state.bonds[std::size_t(here)]));
     });
-  } else if (question.made_of == MadeOf::platens) {
+  } else {
     each_in(question.places, own, [&](Index here, Index place) {
       found.places.push_back(place);
-      found.platen.push_back(platen_particle(piece.model, state, here, question.axis));
+      found.specimen.push_back(specimen_particle(piece.model, state, here));
     });
-    found.box = lateral_box(piece.model, state, piece.own, question.axis);
+    if (question.made_of == MadeOf::apparent_young)
+      found.box = lateral_box(piece.model, state, piece.own, question.axis);
   }
   return found;
 }

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "bondstatic/error.hpp"
 #include "bondstatic/output.hpp"
+#include "results/apparent_poisson.hpp"
 #include "results/apparent_young.hpp"
 #include "results/cell_quantities.hpp"
 #include "results/output_values.hpp"
@@ -12,14 +12,10 @@
 
 namespace bondstatic {
 
-namespace {
-
-[[noreturn]] void refuse(const Output& output, const std::string& reason, const std::string& cure) {
+void refuse(const Output& output, const std::string& reason, const std::string& cure) {
   throw Error(ExitCode::invalid_input,
               fmt::format("output \"{}\": {}\n    cure: {}", output.name, reason, cure));
 }
-
-}  // namespace
 
 const State& load_case_of(const Output& output, const std::vector<const State*>& states) {
   for (const State* state : states)
@@ -31,7 +27,8 @@ const State& load_case_of(const Output& output, const std::vector<const State*>&
 }
 
 MadeOf made_of(const Output& output) {
-  if (output.of == "apparent_young") return MadeOf::platens;
+  if (output.of == "apparent_young") return MadeOf::apparent_young;
+  if (output.of == "apparent_poisson") return MadeOf::apparent_poisson;
   // "energy" is a column of bonds as well: with a selection it is theirs.
   if (output.of == "energy" && output.at.empty()) return MadeOf::energy;
   if (output.of == "work") return MadeOf::work;
@@ -40,7 +37,7 @@ MadeOf made_of(const Output& output) {
   if (find_particle_quantity(output.of)) return MadeOf::particles;
   if (find_bond_quantity(output.of)) return MadeOf::bonds;
   refuse(output, fmt::format("no quantity \"{}\"", output.of),
-         "name a column of particles.csv or bonds.csv, energy, work or apparent_young");
+         "name a column of particles.csv or bonds.csv, energy, work, apparent_young or apparent_poisson");
 }
 
 double effective_value(const Output& output, const std::optional<EffectiveStiffness>& effective) {
@@ -58,20 +55,16 @@ double stress_value(const Output& output, const State& state) {
   return value;
 }
 
-double reduce(const Output& output, std::vector<double> values) {
-  if (output.reduce == Output::Reduce::value) {
-    if (values.size() != 1)
-      refuse(output, fmt::format("\"{}\" at {} places is not one value", output.of, values.size()),
-             "select one, or set reduce to \"sum\", \"mean\" or \"max\"");
-    return values.front();
+std::vector<double> values_at(const Output& output, const Model& model, const State& state) {
+  std::vector<double> values;
+  if (made_of(output) == MadeOf::particles) {
+    const ParticleQuantity& quantity = *find_particle_quantity(output.of);
+    for (const Index p : output.at) values.push_back(value_at(quantity, model, state, p));
+  } else {
+    const BondQuantity& quantity = *find_bond_quantity(output.of);
+    for (const Index b : output.at) values.push_back(quantity.of(state.bonds[std::size_t(b)]));
   }
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return not_given;
-  if (output.reduce == Output::Reduce::max) return *std::max_element(values.begin(), values.end());
-  long double sum = 0;
-  for (const double value : values) sum += value;
-  if (output.reduce == Output::Reduce::mean) sum /= static_cast<long double>(values.size());
-  return double(sum);
+  return values;
 }
 
 OutputValue told(const Output& output, double quantity) {
@@ -81,7 +74,6 @@ OutputValue told(const Output& output, double quantity) {
 namespace {
 
 double quantity_of(const Output& output, const Model& model, const State& state) {
-  std::vector<double> values;
   switch (made_of(output)) {
     case MadeOf::energy:
       return state.energy;
@@ -91,20 +83,15 @@ double quantity_of(const Output& output, const Model& model, const State& state)
       return stress_value(output, state);
     case MadeOf::effective:
       return effective_value(output, std::nullopt);
-    case MadeOf::platens:
+    case MadeOf::apparent_young:
       return apparent_young(model, state, output);
-    case MadeOf::particles: {
-      const ParticleQuantity& quantity = *find_particle_quantity(output.of);
-      for (const Index p : output.at) values.push_back(value_at(quantity, model, state, p));
+    case MadeOf::apparent_poisson:
+      return apparent_poisson(model, state, output);
+    case MadeOf::particles:
+    case MadeOf::bonds:
       break;
-    }
-    case MadeOf::bonds: {
-      const BondQuantity& quantity = *find_bond_quantity(output.of);
-      for (const Index b : output.at) values.push_back(quantity.of(state.bonds[std::size_t(b)]));
-      break;
-    }
   }
-  return reduce(output, std::move(values));
+  return reduce(output, values_at(output, model, state));
 }
 
 }  // namespace
@@ -124,6 +111,8 @@ const std::vector<Quantity>& output_quantities() {
       all.push_back({quantity.name, Quantity::Where::model, quantity.meaning});
     all.push_back({"apparent_young", Quantity::Where::model,
                    "F H / (A d) of a specimen between the platens `base` and `at`"});
+    all.push_back({"apparent_poisson", Quantity::Where::model,
+                   "lateral strain of `middle` over axial strain between the platens `base` and `at`"});
     return all;
   }();
   return quantities;

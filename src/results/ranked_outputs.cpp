@@ -5,15 +5,23 @@
 #include <stdexcept>
 
 #include "io/message.hpp"
+#include "results/apparent_poisson.hpp"
+#include "results/apparent_young.hpp"
 #include "results/inquiry.hpp"
 
 namespace bondstatic {
 
 namespace {
 
-std::vector<Index> places_of(const Output& output) {
+bool is_of_specimen(MadeOf made) {
+  return made == MadeOf::apparent_young || made == MadeOf::apparent_poisson;
+}
+
+std::vector<Index> places_of(const Output& output, MadeOf made) {
   std::vector<Index> places = output.at;
-  if (output.of == "apparent_young") places.insert(places.end(), output.base.begin(), output.base.end());
+  if (is_of_specimen(made)) places.insert(places.end(), output.base.begin(), output.base.end());
+  if (made == MadeOf::apparent_poisson)
+    places.insert(places.end(), output.middle.begin(), output.middle.end());
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
@@ -71,22 +79,25 @@ OutputValue ask(const Output& output, const Piece& piece, const StaticSolution& 
   if (made == MadeOf::stress) return told(output, stress_value(output, state));
 
   const auto load_case = std::size_t(std::find(states.begin(), states.end(), &state) - states.begin());
-  const std::vector<Index> places = places_of(output);
+  const std::vector<Index> places = places_of(output, made);
   const Question question = question_of(output, made, load_case, places);
   ranks.broadcast(packed(question));
   Gathered<double> values(places);
-  Gathered<PlatenParticle> platen(places);
+  Gathered<SpecimenParticle> specimen(places);
   LateralBox box;
   for (const std::string& bytes : ranks.gather(packed(reply_to(question, piece, solution)))) {
     const Reply one = unpacked<Reply>(bytes);
-    if (made == MadeOf::platens)
-      platen.put(one.places, one.platen);
+    if (is_of_specimen(made))
+      specimen.put(one.places, one.specimen);
     else
       values.put(one.places, one.values);
     box.include(one.box);
   }
-  if (made == MadeOf::platens)
-    return told(output, apparent_young(platen.at(output.base), platen.at(output.at), box));
+  if (made == MadeOf::apparent_young)
+    return told(output, apparent_young(output, specimen.at(output.base), specimen.at(output.at), box));
+  if (made == MadeOf::apparent_poisson)
+    return told(output, apparent_poisson(output, specimen.at(output.base), specimen.at(output.at),
+                                         specimen.at(output.middle)));
   return told(output, reduce(output, values.at(output.at)));
 }
 

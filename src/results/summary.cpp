@@ -114,6 +114,7 @@ std::string summary_json(const ModelFacts& model, const RunInfo& run, const Stat
       {"warnings", warnings},
       {"files", files}};
   if (solution.effective) summary["effective_stiffness"] = effective_of(*solution.effective);
+  if (!run.resolution.empty()) summary["resolution"] = resolution_of(run.resolution);
   return to_text(summary);
 }
 

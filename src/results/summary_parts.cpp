@@ -14,6 +14,21 @@ Json counts_of(const ModelFacts& model) {
           {"load_cases", model.load_cases.size()}};
 }
 
+namespace {
+
+Json sensitivities_of(const std::vector<ParameterSensitivity>& sensitivities) {
+  Json all = Json::array();
+  for (const ParameterSensitivity& one : sensitivities)
+    all.push_back({{"block", one.block},
+                   {"parameter", one.parameter},
+                   {"value", one.value},
+                   {"derivative", one.derivative},
+                   {"elasticity", one.elasticity}});
+  return all;
+}
+
+}  // namespace
+
 Json outputs_of(const std::vector<OutputValue>& outputs) {
   Json all = Json::array();
   for (const OutputValue& output : outputs) {
@@ -24,6 +39,7 @@ Json outputs_of(const std::vector<OutputValue>& outputs) {
       one["tolerance"] = output.tolerance;
     }
     if (!output.source.empty()) one["source"] = output.source;
+    if (!output.sensitivities.empty()) one["sensitivities"] = sensitivities_of(output.sensitivities);
     all.push_back(std::move(one));
   }
   return all;

@@ -4,6 +4,7 @@
 #include "io/file_set.hpp"
 #include "io/stale_staging.hpp"
 #include "results/result_set.hpp"
+#include "results/sensitivities.hpp"
 
 namespace bondstatic {
 
@@ -20,8 +21,11 @@ void check_result_folder(const ModelFacts& model, const std::string& folder, int
   check_writable(folder, result_files(model, ranks), earlier_files(folder));
 }
 
-std::vector<std::string> result_files(const Model& model) {
-  return result_files(facts_of(model));
+std::vector<std::string> result_files(const Model& model, const std::vector<OutputValue>& outputs) {
+  std::vector<std::string> names = result_files(facts_of(model));
+  const std::vector<std::string> more = sensitivity_files(outputs);
+  names.insert(names.end() - 1, more.begin(), more.end());
+  return names;
 }
 
 void check_result_folder(const Model& model, const std::string& folder) {
@@ -43,8 +47,10 @@ void write_results(const Model& model, const RunInfo& run, const StaticSolution&
   written = &files;
   files.supersede(earlier_files(folder));
   for (const State& state : solution.cases) write_state(files, model, state);
+  write_sensitivities(files, model, outputs);
   files.create("case.resolved.toml").append(run.resolved);
-  files.create("summary.json").append(summary_json(model, run, solution, outputs, result_files(model)));
+  files.create("summary.json")
+      .append(summary_json(model, run, solution, outputs, result_files(model, outputs)));
   files.commit();
 }
 

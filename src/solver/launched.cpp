@@ -1,6 +1,6 @@
-#include <cstdlib>
-
 #include "solver/launched.hpp"
+
+#include <cstdlib>
 
 namespace bondstatic {
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int most_refinements = 100;
 constexpr double last_digit = 0x1p-57;      // of a displacement
+constexpr double early_enough = 1e-20;      // of the largest displacement
 constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residual
 
 }  // namespace
@@ -69,7 +70,7 @@ void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double leng
 
 // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
 // rounding they are the noise of the residual, and the answer is as good as it gets.
-void Iterate::judge_direct(double pivot_ratio) {
+void Iterate::judge_direct(double pivot_ratio, bool early) {
   const bool at_rounding = correction <= extended_rounding * size, stagnant = setbacks > 0;
   if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps > most_refinements)
     throw AccuracyError(
@@ -79,7 +80,7 @@ void Iterate::judge_direct(double pivot_ratio) {
                     "the rest, or for a "
                     "support that is missing in all but rounding",
                     correction / size, pivot_ratio));
-  done = at_rounding || stagnant;
+  done = at_rounding || stagnant || (early && steps > 1 && expected_error() <= early_enough * size);
 }
 
 // A single round may fall back: a slow mode shows only after the fast ones are gone.

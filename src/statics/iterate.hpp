@@ -36,8 +36,8 @@ struct Iterate {
   void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks);
 
   /// Whether it is done, by a direct solver or an iterative one. Both throw AccuracyError where corrections
-  /// do not contract.
-  void judge_direct(double pivot_ratio);
+  /// do not contract. `early`: what the next correction would be counts, not the last one.
+  void judge_direct(double pivot_ratio, bool early);
   void judge_iterative(const SolveReport& last);
 
   /// What the next correction would be, were it to contract as the last one did.

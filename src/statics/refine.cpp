@@ -11,21 +11,29 @@
 
 namespace bondstatic {
 
-std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
-                                   const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
-                                   LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
-                                   const std::function<void(const std::string&)>& progress, Ranks* ranks) {
+namespace {
+
+struct Rounds {
+  std::vector<Iterate> iterates;
+  Effort effort;
+};
+
+// Rounds of residual and correction, all load cases together. `early`: as soon as the corrections tell that
+// what is left would not show.
+Rounds refine(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
+              const std::vector<const Boundary*>& cases, LinearSolver* solver, double pivot_ratio,
+              int threads, bool early, const std::function<void(const std::string&)>& progress,
+              Ranks* ranks) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
-  std::vector<Iterate> iterates;
+  Rounds rounds;
+  auto& [iterates, effort] = rounds;
   for (const Boundary* boundary : cases) iterates.emplace_back(network, *boundary, ranks);
-
-  Eigen::MatrixXd right_hand_sides(dofs.unknowns(), Index(cases.size()));
   const auto all_done = [&] {
     return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
   };
   for (int round = 1; solver && !all_done(); ++round) {
-    right_hand_sides.setZero();
+    Eigen::MatrixXd right_hand_sides = Eigen::MatrixXd::Zero(dofs.unknowns(), Index(cases.size()));
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (!iterates[c].done)
         right_hand_sides.col(Index(c)) =
@@ -37,7 +45,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
       if (iterative)
         iterates[c].judge_iterative(solver->last_solve());
       else
-        iterates[c].judge_direct(pivot_ratio);
+        iterates[c].judge_direct(pivot_ratio, early);
     }
     if (!iterative) continue;
     const SolveReport last = solver->last_solve();
@@ -48,6 +56,33 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
           fmt::format("round {}: {} iterations, correction {:.0e}", round, effort.iterations,
                       iterates.front().size > 0 ? iterates.front().correction / iterates.front().size : 0));
   }
+  return rounds;
+}
+
+}  // namespace
+
+std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
+                                                 const FreeDofs& dofs,
+                                                 const std::vector<const Boundary*>& cases,
+                                                 LinearSolver* solver, double pivot_ratio, int threads) {
+  Rounds rounds =
+      refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, true, nullptr, nullptr);
+  std::vector<BodyVectors<Extended>> motions;
+  for (Iterate& iterate : rounds.iterates) motions.push_back(std::move(iterate.motion));
+  return motions;
+}
+
+std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
+                                   const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
+                                   LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
+                                   const std::function<void(const std::string&)>& progress, Ranks* ranks) {
+  const double length = network.rotation_length;
+  const bool iterative = solver && solver->iterative();
+  Rounds rounds =
+      refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, false, progress, ranks);
+  std::vector<Iterate>& iterates = rounds.iterates;
+  effort = std::move(rounds.effort);
+  Eigen::MatrixXd right_hand_sides = Eigen::MatrixXd::Zero(dofs.unknowns(), Index(cases.size()));
 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -43,4 +43,11 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
                                    const std::function<void(const std::string&)>& progress,
                                    Ranks* ranks = nullptr);
 
+/// The motions alone, as far as derivatives need them: what is left is below 1e-20 of the largest entry, by
+/// what the corrections of a direct solver tell. One process. Throws likewise.
+std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
+                                                 const FreeDofs& dofs,
+                                                 const std::vector<const Boundary*>& cases,
+                                                 LinearSolver* solver, double pivot_ratio, int threads);
+
 }  // namespace bondstatic

@@ -13,6 +13,8 @@ template <class Scalar>
 BodyVectors<Scalar> residual(const BondNetwork& network, const Incidence& incidence, const Boundary& boundary,
                              const BodyVectors<Scalar>& motion, int threads) {
   BodyVectors<Scalar> r = converted<Scalar>(boundary.load);
+  for (std::size_t p = 0; p < boundary.load_tail.size(); ++p)
+    r[p] += boundary.load_tail[p].template cast<Scalar>();
   // Nearly always so at the start.
   const auto at_rest = [](const Vector6T<Scalar>& u) { return u.isZero(Scalar(0.0)); };
   if (boundary.strain.isZero(0) && std::all_of(motion.begin(), motion.end(), at_rest)) return r;

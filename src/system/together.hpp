@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "system/ranks.hpp"
 #include "system/extended.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 

@@ -231,6 +231,10 @@ const std::vector<Slip> slips{
     {"BondByParticle", 19, "[[outputs]]\nname = \"s\"\nof = \"sigma\"\nat = { id = 1 }", 22, 8,
      "unknown key \"id\" in at of a bond quantity", "bond"},
     {"PlatenMissing", 17, "of = \"apparent_young\"", 15, 1, "[[outputs]] needs base", "add base"},
+    {"MiddleEmpty", 17, "of = \"apparent_poisson\"\nbase = { id = 10 }\naxis = \"x\"", 15, 1,
+     "no centre lies in the middle third", "add middle"},
+    {"MiddleOfYoung", 17, "of = \"apparent_young\"\nbase = { id = 1 }\nmiddle = { all = true }", 19, 1,
+     "unknown key \"middle\"", ""},
     // solve
     {"ToleranceOfSolve", 19, "[solve]\ntolerance = -1", 20, 13, "must be positive", "tolerance"},
     {"Unsupported", 19, "[solve]\nunsupported = \"dorp\"", 20, 15, "one of: error, drop", "\"drop\""},

@@ -271,8 +271,21 @@ axis = "x"
 expected = 3
 tolerance = 0.1
 source = "guess"
+[[outputs]]
+name = "nu"
+of = "apparent_poisson"
+at = { id = 11 }
+base = { id = 1 }
+axis = "x"
+[[outputs]]
+name = "nu of some"
+of = "apparent_poisson"
+at = { id = 11 }
+base = { id = 1 }
+axis = "x"
+middle = { id = [7, 3] }
 )"}}));
-  ASSERT_EQ(c.outputs.size(), 5u);
+  ASSERT_EQ(c.outputs.size(), 7u);
   EXPECT_THAT(c.outputs[1].at, ElementsAre(1, 9));
   EXPECT_EQ(c.outputs[1].reduce, Output::Reduce::max);
   EXPECT_EQ(c.outputs[2].at.size(), 10u);
@@ -283,6 +296,9 @@ source = "guess"
   EXPECT_EQ(c.outputs[4].expected, 3);
   EXPECT_EQ(c.outputs[4].tolerance, 0.1);
   EXPECT_EQ(c.outputs[4].source, "guess");
+  EXPECT_THAT(c.outputs[5].middle, ElementsAre(4, 5, 6));
+  EXPECT_EQ(c.outputs[5].axis, Vector3(1, 0, 0));
+  EXPECT_THAT(c.outputs[6].middle, ElementsAre(2, 6));
 }
 
 TEST(Outputs, NeedACaseWhereThereAreSeveral) {

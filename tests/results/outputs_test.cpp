@@ -115,10 +115,14 @@ TEST(Outputs, EveryListedQuantityCanBeEvaluated) {
   solution.cases.push_back(test::hand_made_result(""));
   solution.cases[0].stress.setIdentity();
   solution.effective.emplace().stiffness.setIdentity();
+  Model model = test::hand_made_model();
+  for (int p = 0; p < 3; ++p) model.particles[std::size_t(p)].position = Vector3::Unit(p);
   for (const Quantity& quantity : output_quantities()) {
     Output output = output_of(quantity.name, {0});
     output.base = {1};
-    EXPECT_NO_THROW(evaluate_outputs(test::hand_made_model(), solution, {output})) << quantity.name;
+    output.middle = {0, 1, 2};
+    output.axis = Vector3::Ones();
+    EXPECT_NO_THROW(evaluate_outputs(model, solution, {output})) << quantity.name;
     EXPECT_FALSE(quantity.meaning.empty()) << quantity.name;
   }
 }

@@ -82,6 +82,11 @@ std::vector<Output> all_kinds(const Model& model) {
       young.base = {0, 7, 1, 2};
       young.axis = axis;
       outputs.push_back(young);
+      Output poisson = young;
+      poisson.name = "nu of " + std::string(load_case);
+      poisson.of = "apparent_poisson";
+      poisson.middle = {30, 5, 41, 17, 26, 37, 22};
+      outputs.push_back(poisson);
     }
   return outputs;
 }
@@ -108,9 +113,17 @@ TEST_P(RankedOutputs, AreNoneWhereNoneAreAskedFor) {
   EXPECT_TRUE(found({}).empty());
 }
 
+/// Measured at two particles, which is too few.
+Output poisson_of_two() {
+  Output output = output_of("apparent_poisson", {60});
+  output.base = {1};
+  output.middle = {30, 31};
+  return output;
+}
+
 TEST_P(RankedOutputs, RefuseWhatOneProcessRefusesAndLetTheOthersGo) {
   for (const Output& bad : {output_of("ux", {1}, "twist"), output_of("temperature", {1}),
-                            output_of("ux", {1, 2}, "push", Output::Reduce::value)}) {
+                            output_of("ux", {1, 2}, "push", Output::Reduce::value), poisson_of_two()}) {
     std::string refusal;
     try {
       evaluate_outputs(whole.model, whole.solution, {bad});

@@ -32,7 +32,7 @@ ROOM_OF_HEADER = {
     "linear_solver": "solver",
     "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics", "sensitivity": "statics",
     "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare",
-    "output": "results", "results": "results", "calibration": "calibration",
+    "output": "results", "results": "results", "resolution": "results", "calibration": "calibration",
     "case_file": "case",
 }
 # A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.

@@ -1,7 +1,6 @@
 #include "support/models.hpp"
 
 #include <algorithm>
-
 #include <stdexcept>
 
 namespace bondstatic::test {

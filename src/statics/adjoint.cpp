@@ -1,0 +1,118 @@
+#include "statics/adjoint.hpp"
+
+#include "model/cell.hpp"
+
+namespace bondstatic {
+namespace {
+
+using Extended3 = Vector3T<Extended>;
+using Extended6 = Vector6T<Extended>;
+
+/// epsilon . (dC/dc) delta for each number c of C; see resultants() in bond.hpp.
+struct Products {
+  Extended kn = 0.0, ks = 0.0, kt = 0.0, kb = 0.0, coupling = 0.0;
+
+  void add(const Extended3& axis, const Extended6& epsilon, const Extended6& delta) {
+    const Extended3 ed = epsilon.head<3>(), er = epsilon.tail<3>(), d = delta.head<3>(), r = delta.tail<3>();
+    const Extended along_d = axis.dot(d), along_r = axis.dot(r);
+    kn += axis.dot(ed) * along_d;
+    ks += ed.dot(d - along_d * axis);
+    kt += axis.dot(er) * along_r;
+    kb += er.dot(r - along_r * axis);
+    coupling += er.dot(axis.cross(d)) - ed.dot(axis.cross(r));
+  }
+};
+
+}  // namespace
+
+LinkWeights link_weights(const Model& model, const BondNetwork& network, const Functional& functional,
+                         const SolvedState& state) {
+  const std::size_t links = network.links.size();
+  LinkWeights weights{BodyVectors<double>(links, Vector6::Zero()),
+                      std::vector<double>(links, functional.energy)};
+  for (const BondWeight& bond : functional.bonds) {
+    weights.resultants[std::size_t(bond.bond)] -= bond.force;  // BondResult::force is -q
+    weights.energy[std::size_t(bond.bond)] += bond.energy;
+  }
+  if (!functional.stress.isZero(0)) {
+    // The mean stress is the symmetric part of the sum of force times branch over the volume.
+    const Matrix3 per_force = (functional.stress + functional.stress.transpose()) / (2 * volume(*model.cell));
+    for (std::size_t k = 0; k < links; ++k)
+      weights.resultants[k].head<3>() += per_force * network.links[k].branch;
+  }
+  for (std::size_t k = 0; k < links; ++k)
+    if (state.left_out[std::size_t(network.links[k].a)]) {
+      weights.resultants[k].setZero();
+      weights.energy[k] = 0;
+    }
+  return weights;
+}
+
+Boundary adjoint_boundary(const BondNetwork& network, const std::vector<BondProperties>& properties,
+                          const Functional& functional, const LinkWeights& weights,
+                          const SolvedState& state) {
+  const auto bodies = std::size_t(network.bodies);
+  Boundary boundary{state.free, std::vector<Vector6>(bodies, Vector6::Zero()),
+                    std::vector<Vector6>(bodies, Vector6::Zero())};
+  for (const auto& [particle, weight] : functional.reaction)
+    for (int i = 0; i < 6; ++i)
+      if (!((state.free[std::size_t(particle)] >> i) & 1))
+        boundary.prescribed[std::size_t(particle)][i] += weight[i];
+
+  // Pairs of forces that balance: rounded to double they would leave a resultant that slender models amplify.
+  BodyVectors<Extended> load(bodies, Extended6::Zero());
+  for (const auto& [particle, weight] : functional.displacement)
+    load[std::size_t(particle)] -= weight.cast<Extended>();
+  for (std::size_t k = 0; k < network.links.size(); ++k) {
+    if (weights.resultants[k].isZero(0) && weights.energy[k] == 0) continue;
+    const Link& link = network.links[k];
+    const Extended3 axis = bond_axis<Extended>(link);
+    Extended6 q =
+        resultants<Extended>(properties[k].stiffness, axis, weights.resultants[k].cast<Extended>().eval());
+    if (weights.energy[k] != 0)
+      q +=
+          Extended(weights.energy[k]) *
+          resultants<Extended>(link.stiffness, axis, link_motion<Extended>(link, state.motion, state.strain));
+    load[std::size_t(link.a)] += force_on_a<Extended>(link, q);
+    load[std::size_t(link.b)] += force_on_b<Extended>(link, q);
+  }
+  boundary.load_tail.resize(bodies);
+  for (std::size_t p = 0; p < bodies; ++p) {
+    boundary.load[p] = load[p].cast<double>();
+    boundary.load_tail[p] = (load[p] - boundary.load[p].cast<Extended>()).cast<double>();
+  }
+  return boundary;
+}
+
+void add_gradient(const BondNetwork& network, const std::vector<BondProperties>& properties,
+                  const Functional& functional, const LinkWeights& weights, const SolvedState& state,
+                  const BodyVectors<Extended>& adjoint, int threads, BondGradients& gradient) {
+  const Index links = Index(network.links.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && links > worth_threads)
+  for (Index i = 0; i < links; ++i) {
+    const auto k = std::size_t(i);
+    const Link& link = network.links[k];
+    if (state.left_out[std::size_t(link.a)]) continue;
+    const Extended3 axis = bond_axis<Extended>(link);
+    const Extended6 delta = link_motion<Extended>(link, state.motion, state.strain);
+    // A bond's energy is delta . q / 2: half of its change by C is delta's alone.
+    const Extended6 felt =
+        link_motion<Extended>(link, adjoint, Matrix3::Zero()) + Extended(0.5 * weights.energy[k]) * delta;
+    Products products;
+    products.add(axis, felt, delta);
+    // Equilibrium does not see moments that stay in the bond, those who ask for them do.
+    if (!properties[k].moments_fed_back) products.kt = products.kb = 0.0;
+    products.add(axis, weights.resultants[k].cast<Extended>(), delta);
+    SectionStiffness& of = gradient[k].stiffness;
+    of.kn += to_double(products.kn);
+    of.ks += to_double(products.ks);
+    of.kt += to_double(products.kt);
+    of.kb += to_double(products.kb);
+    of.coupling += to_double(products.coupling);
+  }
+  for (const BondWeight& bond : functional.bonds)
+    if (!state.left_out[std::size_t(network.links[std::size_t(bond.bond)].a)])
+      gradient[std::size_t(bond.bond)].radius += bond.radius;
+}
+
+}  // namespace bondstatic
