@@ -7,6 +7,8 @@ solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev lib
                  libceres-dev libboost-dev)
 # PETSc brings MPI and about 90 packages: only for those who ask for it, and for the tests.
 petsc_packages=(petsc-dev pkgconf)
+# Of the Python module, its examples and its tests.
+python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
 # The last three are other codes, whose files are read: yade brings about 100 packages.
 test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox lammps liggghts yade)
 

@@ -52,7 +52,7 @@ ONLY_IN = {
 
 LONGEST_FILE = 400
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
-PRINTS = re.compile(r"\bstd::(cout|cerr|clog)\b")
+PRINTS = re.compile(r"\bstd::(cout|cerr|clog)\b|\bpy::print\b")
 
 
 def source_files(root, *folders):

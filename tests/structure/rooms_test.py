@@ -70,6 +70,16 @@ class Rooms(unittest.TestCase):
     def test_including_from_the_module(self):
         self.assert_caught("src/app/x.cpp", '#include "petsc/backends.hpp"\n', "src/app/x.cpp:1", "room petsc")
 
+    def test_python_outside_of_its_module(self):
+        self.assert_caught("src/case/x.cpp", "#include <pybind11/numpy.h>\n", "src/case/x.cpp:1", "only python/")
+        self.write("src/case/x.cpp", "")
+        self.assert_caught("src/app/x.cpp", '#include "python/arrays.hpp"\n', "src/app/x.cpp:1", "room python")
+
+    def test_the_program_in_the_python_module(self):
+        self.assert_caught("src/python/x.cpp", '#include "app/report.hpp"\n', "src/python/x.cpp:1", "room app")
+        self.write("src/python/x.cpp", "")
+        self.assert_caught("src/python/y.cpp", "void f() { py::print(1); }\n", "src/python/y.cpp:1", "prints")
+
     def test_printing_in_the_library(self):
         self.assert_caught("src/statics/x.cpp", "void f() { std::cerr << 1; }\n", "src/statics/x.cpp:1", "prints")
 

@@ -1,0 +1,53 @@
+"""Models from files: cases of bondstatic, and whatever other DEM codes write."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from . import _core
+from .model import Model, _warn
+
+
+def read(*files: str | os.PathLike[str], set: Mapping[str, Any] | None = None, atom_style: str = "",
+         bond_columns: Sequence[str] = (), step: int | None = None, radius: float | None = None) -> Model:
+    """Reads a case file (.toml, or a folder with a case.toml), or files of another code that make one model.
+
+    set           for a case: values of its keys, {"bonds.0.young": 70e9}
+    atom_style    of a LAMMPS data file: "bpm/sphere", "sphere", ...; unless the file says it
+    bond_columns  of a local dump: which columns are the two ids, ["c_1[1]", "c_1[2]"]
+    step          of a series; the last unless given
+    radius        of each particle, where no file gives radii
+
+    What other codes' files give of bonds waits for bond(): their pairs, and stiffness where they have it. Groups,
+    supports and loads of a LAMMPS input script are taken over. Model.notes says what was taken, assumed and left out.
+    """
+    paths = [os.fspath(file) for file in files]
+    case = case_file(paths[0]) if len(paths) == 1 else None
+    if case is not None:
+        core, facts = _core.read_case(case, overrides(set))
+        model = Model._made(core)
+        model.title, model.file, model.outputs, model.resolved = facts.title, facts.file, facts.outputs, facts.resolved
+        model._solve, model._relax = facts.solve, facts.relax
+        _warn(facts.warnings)
+        return model
+    core, taken, assumed, left_out = _core.import_files(paths, atom_style, list(bond_columns), step, radius)
+    model = Model._made(core)
+    model.file = ", ".join(paths)
+    model.notes = {"taken": taken, "assumed": assumed, "left_out": left_out}
+    return model
+
+
+def case_file(path: str) -> str | None:
+    """The case that a path names; None where it is of another code."""
+    if path.endswith(".toml"):
+        return path
+    inside = Path(path) / "case.toml"
+    return str(inside) if inside.is_file() else None
+
+
+def overrides(values: Mapping[str, Any] | None) -> list[str]:
+    """KEY=VALUE as in TOML, whose numbers, texts, truth values and lists are those of JSON."""
+    return [f"{key}={json.dumps(value)}" for key, value in (values or {}).items()]

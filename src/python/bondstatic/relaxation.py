@@ -1,0 +1,54 @@
+"""The explicit run to rest."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Union
+
+from . import _core
+from .model import Floats, Model, _warn
+from .solution import States
+
+#: Called now and then with load case, step, unbalanced force over loads, fastest speed.
+RunProgress = Union[Callable[[str, int, float, float], object], None]
+
+
+class Relaxation(States):
+    """Where an explicit run has ended."""
+
+    def __init__(self, model: Model, relaxed: _core.Relaxed):
+        names = relaxed.load_cases
+        super().__init__(names, [relaxed.state(c) for c in range(len(names))])
+        self._relaxed = relaxed
+        #: As it was run.
+        self.model = model
+        #: Every load case is.
+        self.at_rest: bool = relaxed.at_rest
+        #: By load case: at_rest, steps, time, time_step, critical_time_step, predicted_steps, seconds, ...
+        self.reports: dict[str, dict[str, Any]] = {name: relaxed.report(c) for c, name in enumerate(names)}
+
+    def history(self, load_case: str | None = None) -> dict[str, Floats]:
+        """Columns over time: step, time, kinetic, strain, work, dissipated, unbalanced, ... of a load case, the only
+        one unless named."""
+        names = list(self.cases)
+        if load_case is None:
+            self._only()
+            return self._relaxed.history(0)
+        self[load_case]
+        return self._relaxed.history(names.index(load_case))
+
+
+def relax(model: Model, *, threads: int | None = None, load_factor: float = 1.0, progress: RunProgress = None,
+          **dynamics: Any) -> Relaxation:
+    """The model through time to rest: explicit DEM. Every particle needs a density. Ctrl-C ends it.
+
+    threads      at most; the answer does not depend on it
+    load_factor  times all loads and prescribed motions
+    dynamics     as in [dynamics] of a case file: kinematics="small", particle_damping=0.7, ramp_time=.., max_steps=..;
+                 where none is given, as in the model's case
+    """
+    ready = model._ready()
+    options = ready._relax if ready._relax is not None and not dynamics else _core.RelaxOptions(dynamics)
+    solve = ready._solve.with_({"threads": threads})
+    relaxation = Relaxation(ready, _core.relax(ready._core, options, solve, load_factor, progress))
+    _warn(relaxation._relaxed.warnings)
+    return relaxation

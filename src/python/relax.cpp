@@ -1,0 +1,96 @@
+// The explicit run to rest.
+#include "bondstatic/case_file.hpp"
+#include "bondstatic/relaxation.hpp"
+#include "case/dynamic_options.hpp"
+#include "python/background.hpp"
+#include "python/node_of.hpp"
+#include "python/parts.hpp"
+#include "python/solve.hpp"
+#include "python/state.hpp"
+
+namespace bondstatic {
+
+namespace {
+
+struct Relaxed {
+  std::shared_ptr<const Model> model;
+  Relaxation relaxation;
+};
+
+/// The options of [dynamics] by keyword, all of them: what is not given has the default of a case file.
+RelaxOptions relax_options(const py::dict& given) {
+  Reading reading;
+  Node table = node_of(given, "relax");
+  const RelaxOptions options = read_dynamic_options(reading, table);
+  if (!reading.faults.empty()) throw InputError(reading.faults);
+  return options;
+}
+
+std::shared_ptr<Relaxed> run(const PythonModel& given, const RelaxOptions& options,
+                             const StaticOptions& solve, double load_factor, const py::object& progress) {
+  const auto relaxed = std::make_shared<Relaxed>();
+  relaxed->model = given.edited.kept();
+  run_watched([relaxed, options, solve, load_factor, callback = Callback(progress)](Watch& watch) {
+    RelaxOptions asked = options;
+    asked.load_factor = load_factor;
+    RelaxHooks hooks;
+    hooks.progress = [&](const RelaxProgress& now) {
+      watch.tell(
+          [callback, now] { callback(now.load_case, now.step, now.unrest.unbalanced, now.unrest.fastest); });
+      return true;
+    };
+    relaxed->relaxation = relax(*relaxed->model, asked, solve, hooks);
+  });
+  return relaxed;
+}
+
+const RelaxedCase& case_of(const Relaxed& relaxed, std::size_t load_case) {
+  return relaxed.relaxation.cases.at(load_case);
+}
+
+py::dict history_of(const std::shared_ptr<Relaxed>& relaxed, std::size_t load_case) {
+  py::dict history;
+  for (const HistoryColumn& column : case_of(*relaxed, load_case).history)
+    history[py::str(column.name)] = view_of_items<double>(relaxed, column.values, column.values.data());
+  return history;
+}
+
+py::dict report_of(const Relaxed& relaxed, std::size_t load_case) {
+  const RelaxedCase& run = case_of(relaxed, load_case);
+  py::dict facts;
+  facts["at_rest"] = run.end == RunEnd::at_rest;
+  facts["steps"] = run.steps;
+  facts["time"] = run.time;
+  facts["time_step"] = run.plan.time_step;
+  facts["critical_time_step"] = run.plan.critical_time_step;
+  facts["highest_frequency"] = run.plan.highest;
+  facts["lowest_frequencies"] = run.plan.lowest;
+  facts["predicted_steps"] = run.plan.predicted_steps;
+  facts["best_particle_damping"] = run.plan.best_particle_damping;
+  facts["unbalanced"] = run.unrest.unbalanced;
+  facts["fastest"] = run.unrest.fastest;
+  facts["seconds"] = run.seconds;
+  return facts;
+}
+
+}  // namespace
+
+void add_relax(py::module_& module) {
+  py::class_<RelaxOptions>(module, "RelaxOptions").def(py::init(&relax_options), py::arg("given"));
+  py::class_<Relaxed, std::shared_ptr<Relaxed>>(module, "Relaxed")
+      .def_property_readonly("load_cases", [](const Relaxed& r) { return r.model->load_cases; })
+      .def_property_readonly("at_rest", [](const Relaxed& r) { return r.relaxation.at_rest(); })
+      .def_property_readonly("warnings", [](const Relaxed& r) { return r.relaxation.warnings; })
+      .def(
+          "state",
+          [](const std::shared_ptr<Relaxed>& r, std::size_t c) {
+            return PythonState{r, &case_of(*r, c).state, nullptr};
+          },
+          py::arg("load_case"))
+      .def("history", &history_of, py::arg("load_case"))
+      .def("report", &report_of, py::arg("load_case"));
+  module.def("relax", &run, py::arg("model"), py::arg("options"), py::arg("solve"), py::arg("load_factor"),
+             py::arg("progress"));
+}
+
+}  // namespace bondstatic
