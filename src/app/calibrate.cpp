@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/calibrate_report.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
@@ -7,6 +9,7 @@
 #include "bondstatic/calibration.hpp"
 #include "io/file_set.hpp"
 #include "io/nearest_name.hpp"
+#include "results/result_set.hpp"
 #include "solver/machine.hpp"
 
 namespace bondstatic {
@@ -16,6 +19,17 @@ namespace {
 const std::vector<std::string>& calibration_files() {
   static const std::vector<std::string> files{"history.csv", "calibrated.toml", "calibration.json"};
   return files;
+}
+
+/// What an earlier calibration left in the folder; never the case that is read itself.
+std::vector<std::string> replaceable(const SolveArguments& arguments) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names = earlier_files(arguments.folder, "calibration.json");
+  std::erase_if(names, [&](const std::string& name) {
+    std::error_code not_there;
+    return fs::equivalent(fs::path(arguments.folder) / name, arguments.file, not_there);
+  });
+  return names;
 }
 
 CalibrationProblem read_problem(const SolveArguments& arguments) {
@@ -37,7 +51,7 @@ void write(const CalibrationProblem& problem, const CalibrationResult& result,
   const std::string calibrated = calibrated_case(problem, arguments.overrides, arguments.folder, values);
   const DeferredInterrupts guard;
   FileSet files(arguments.folder, DeferredInterrupts::check);
-  files.supersede(names);
+  files.supersede(replaceable(arguments));
   files.create(names[0]).append(calibration_history(result));
   files.create(names[1]).append(calibrated);
   files.create(names[2]).append(calibration_json(problem, result, names));
@@ -53,7 +67,7 @@ ExitCode calibrate(const SolveArguments& arguments) {
   const std::string& folder = arguments.folder;
   if (!folder.empty()) {
     sweep_stale_staging(folder);
-    check_writable(folder, calibration_files(), calibration_files());
+    check_writable(folder, calibration_files(), replaceable(arguments));
   }
   status.show("calibrate: first evaluation");
   problem.options.progress = [&](int evaluation, double cost) {

@@ -17,16 +17,15 @@ namespace {
 std::vector<AchievedTarget> achieved(const std::vector<CalibrationTest>& tests,
                                      const std::vector<TargetRow>& rows,
                                      const std::vector<CalibrationTarget>& targets,
-                                     const Eigen::VectorXd& residuals) {
+                                     const Eigen::VectorXd& outputs, const Eigen::VectorXd& residuals) {
   std::vector<AchievedTarget> list;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const CalibrationTarget& target = targets[rows[i].target];
-    const double residual = residuals[Eigen::Index(i)];
     list.push_back({.output = target.output,
                     .test = tests.size() > 1 ? tests[rows[i].test].name : target.test,
                     .wanted = target.wanted,
-                    .achieved = target.wanted + residual * rows[i].size,
-                    .residual = residual});
+                    .achieved = outputs[Eigen::Index(i)],
+                    .residual = residuals[Eigen::Index(i)]});
   }
   return list;
 }
@@ -52,7 +51,7 @@ CalibrationResult calibrate(const std::vector<CalibrationTest>& tests,
   result.history = fit.history();
   result.solves = fit.evaluation().solves();
   result.warnings = fit.evaluation().warnings();
-  result.targets = achieved(tests, rows, targets, minimum.residuals);
+  result.targets = achieved(tests, rows, targets, fit.best_outputs(), minimum.residuals);
   const std::vector<double> values = unscaled(parameters, minimum.x);
   for (std::size_t p = 0; p < parameters.size(); ++p)
     result.parameters.push_back(

@@ -41,6 +41,11 @@ Sorted sorted(const std::vector<UnseenDirection>& directions, const std::vector<
   return found;
 }
 
+// Far beyond what errors of that size give: sums of squares of n normal ones are n +- sqrt(2 n).
+bool beyond_tolerances(const Eigen::VectorXd& residuals, Index freedom) {
+  return freedom > 0 && residuals.squaredNorm() > double(freedom) + 5 * std::sqrt(2. * double(freedom));
+}
+
 }  // namespace
 
 void tell_certainty(CalibrationResult& result, const Eigen::MatrixXd& start_jacobian, const Minimum& minimum,
@@ -71,6 +76,11 @@ void tell_certainty(CalibrationResult& result, const Eigen::MatrixXd& start_jaco
   result.correlation = found.correlation;
   result.singular_values = minimum.jacobian.jacobiSvd().singularValues();
   const Index fitted = Index(which.settled.size() + which.loose.size()) - which.unseen;
+  if (with_tolerances && loss == Loss::squares && !which.settled.empty() &&
+      beyond_tolerances(minimum.residuals, minimum.residuals.size() - fitted))
+    result.warnings.push_back(
+        "targets are missed by far more than their tolerances, which the 95 % intervals rest on: these are "
+        "too narrow");
   if (!with_tolerances && fitted > 0 && minimum.residuals.size() <= fitted)
     result.warnings.push_back(
         "there are no more targets than parameters and no tolerances, so nothing tells how certain the "

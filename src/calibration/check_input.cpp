@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "bondstatic/error.hpp"
@@ -94,20 +93,30 @@ void check_tolerances(const std::vector<CalibrationTarget>& targets, Loss loss, 
                       "give every target a tolerance, or use loss = \"squares\""});
 }
 
+// A target without a test is of those, too, that another one names.
+void check_once(const std::vector<CalibrationTest>& tests, const std::vector<CalibrationTarget>& targets,
+                std::vector<Fault>& faults) {
+  std::set<std::pair<std::size_t, std::size_t>> taken;
+  std::set<std::size_t> told;
+  for (const TargetRow& row : target_rows(tests, targets))
+    if (!taken.insert({row.test, row.output}).second && told.insert(row.target).second) {
+      const std::string& test = targets[row.target].test;
+      faults.push_back({{},
+                        fmt::format("target {} is given twice{}", targets[row.target].output,
+                                    test.empty() ? "" : " for " + test),
+                        "give it once, with the mean of what was measured"});
+    }
+}
+
 void check_targets(const std::vector<CalibrationTest>& tests, const std::vector<CalibrationTarget>& targets,
                    Loss loss, std::vector<Fault>& faults) {
   if (targets.empty())
     faults.push_back({{}, "there are no targets", "say which outputs shall have which values"});
-  std::map<std::pair<std::string, std::string>, int> times;
   for (const CalibrationTarget& target : targets) {
     check_names(tests, target, faults);
     check_numbers(target, faults);
-    if (++times[{target.test, target.output}] == 2)
-      faults.push_back({{},
-                        fmt::format("target {} is given twice{}", target.output,
-                                    target.test.empty() ? "" : " for " + target.test),
-                        "give it once, with the mean of what was measured"});
   }
+  check_once(tests, targets, faults);
   check_tolerances(targets, loss, faults);
 }
 

@@ -84,7 +84,8 @@ std::optional<VectorXd> ModelFit::attempt(const std::vector<double>& values) {
 }
 
 VectorXd ModelFit::solved(const std::vector<double>& values) {
-  VectorXd found = evaluation_.outputs(values);
+  outputs_ = evaluation_.outputs(values);
+  VectorXd found = outputs_;
   for (Index i = 0; i < found.size(); ++i) {
     const TargetRow& row = rows_[std::size_t(i)];
     const CalibrationTarget& target = targets_[row.target];
@@ -101,6 +102,7 @@ VectorXd ModelFit::solved(const std::vector<double>& values) {
 MatrixXd ModelFit::jacobian() {
   const auto begin = Clock::now();
   CalibrationStep& step = history_.back();
+  best_outputs_ = outputs_;  // derivatives are asked of the best point alone
   MatrixXd found = evaluation_.derivatives();
   for (std::size_t i = 0; i < rows_.size(); ++i) found.row(Index(i)) /= rows_[i].size;
   for (std::size_t p = 0; p < parameters_.size(); ++p)

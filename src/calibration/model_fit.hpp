@@ -20,6 +20,8 @@ class ModelFit {
   /// can cure (interruption, memory).
   Minimum minimum();
 
+  /// Of each row, at the minimum.
+  const Eigen::VectorXd& best_outputs() const { return best_outputs_; }
   const Eigen::MatrixXd& start_jacobian() const { return start_jacobian_; }
   const std::vector<CalibrationStep>& history() const { return history_; }
   const Evaluation& evaluation() const { return evaluation_; }
@@ -39,6 +41,7 @@ class ModelFit {
   const CalibrationOptions& options_;
   Evaluation evaluation_;
   std::vector<CalibrationStep> history_;
+  Eigen::VectorXd outputs_, best_outputs_;
   Eigen::MatrixXd start_jacobian_;
   std::string failure_;
 };

@@ -11,8 +11,9 @@ namespace bondstatic {
 
 namespace {
 
-std::string name_of(const AchievedTarget& target) {
-  return target.test.empty() ? target.output : fmt::format("{} of {}", target.output, target.test);
+bool of_several_tests(const std::vector<AchievedTarget>& targets) {
+  return std::any_of(targets.begin(), targets.end(),
+                     [&](const AchievedTarget& target) { return target.test != targets.front().test; });
 }
 
 // The three that are missed most.
@@ -23,6 +24,7 @@ std::string missed(const CalibrationResult& result, bool with_tolerances) {
   std::stable_sort(targets.begin(), targets.end(), [](const AchievedTarget& a, const AchievedTarget& b) {
     return std::abs(a.residual) > std::abs(b.residual);
   });
+  const bool several = of_several_tests(result.targets);
   std::string text = fmt::format("{} of {} target{} missed", targets.size(), result.targets.size(),
                                  result.targets.size() == 1 ? " is" : "s are");
   for (std::size_t i = 0; i < std::min<std::size_t>(targets.size(), 3); ++i) {
@@ -31,8 +33,9 @@ std::string missed(const CalibrationResult& result, bool with_tolerances) {
                            : target.wanted == 0
                                ? fmt::format("{:.3g}", std::abs(target.achieved))
                                : fmt::format("{:.3g} %", 100 * std::abs(target.achieved / target.wanted - 1));
-    text += fmt::format("{} {} is {:.6g} instead of {:.6g}, off by {}", i == 0 ? ":" : ",", name_of(target),
-                        target.achieved, target.wanted, by);
+    text += fmt::format("{} {} is {:.6g} instead of {:.6g}, off by {}", i == 0 ? ":" : ",",
+                        several ? target.output + " of " + target.test : target.output, target.achieved,
+                        target.wanted, by);
   }
   return text;
 }

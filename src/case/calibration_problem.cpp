@@ -11,20 +11,24 @@
 namespace bondstatic {
 namespace {
 
-/// Parameters of the case that another one lacks are told: a test that does not follow them may be meant.
+/// Parameters that another case lacks, and bonds that do not follow one, may be meant: they are told.
 void add_test(CalibrationProblem& problem, const std::string& name, const std::string& file, Case read) {
   CalibrationTest test{name, std::move(read.model), read.solve, std::move(read.outputs), {}};
-  std::vector<std::string> missing;
+  std::vector<std::string> missing, own;
   for (const CalibrationParameter& parameter : problem.parameters) {
     NamedParameter named = find_parameter(test.model, parameter.name);
     if (named.places.empty())
       missing.push_back(fmt::format("{} does not follow {}: {}", test.name, parameter.name, named.message));
+    else
+      for (const std::string& bonds : own_values(test.model, parameter.name))
+        own.push_back(fmt::format("{}: {}, and do not follow {}", file, bonds, parameter.name));
     test.parameters.push_back(std::move(named.places));
   }
   if (missing.size() == problem.parameters.size())
     throw InputError({{{file, 1, 1},
                        fmt::format("none of the parameters is in this test: {}", missing.front()),
                        "take it out of cases, or calibrate what it has"}});
+  missing.insert(missing.end(), own.begin(), own.end());
   missing.insert(missing.end(), read.warnings.begin(), read.warnings.end());
   // A case that is read once for each seed says the same each time.
   for (const std::string& warning : missing)

@@ -115,6 +115,24 @@ NamedParameter find_parameter(const Model& model, const std::string& key) {
   return found;
 }
 
+std::vector<std::string> own_values(const Model& model, const std::string& key) {
+  const bool of_one = key.starts_with("bonds.");
+  const std::string name = of_one ? key.substr(key.rfind('.') + 1) : key;
+  std::vector<std::string> told;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    if (of_one && !key.starts_with(fmt::format("bonds.{}.", b))) continue;
+    const Index p = find_bond_law(model.blocks[b].law)->find(name);
+    const auto own = p < 0 ? model.blocks[b].overrides.end() : model.blocks[b].overrides.find(std::size_t(p));
+    if (own == model.blocks[b].overrides.end()) continue;
+    const std::vector<double>& values = own->second;
+    const auto count = std::count_if(values.begin(), values.end(), [](double v) { return !std::isnan(v); });
+    if (count > 0)
+      told.push_back(
+          fmt::format("{} of {} bonds of bonds.{} have a {} of their own", count, values.size(), b, name));
+  }
+  return told;
+}
+
 const Parameter& parameter_at(const Model& model, const BlockParameter& place) {
   return find_bond_law(model.blocks[std::size_t(place.block)].law)->parameters[place.parameter];
 }

@@ -18,6 +18,9 @@ struct NamedParameter {
 /// nothing, and neither does a block's value where each bond has its own.
 NamedParameter find_parameter(const Model& model, const std::string& key);
 
+/// "3 of 4 bonds of bonds.0 have a young of their own", for each block: these bonds do not follow the key.
+std::vector<std::string> own_values(const Model& model, const std::string& key);
+
 /// Of the place's law.
 const Parameter& parameter_at(const Model& model, const BlockParameter& place);
 double value_at(const Model& model, const BlockParameter& place);

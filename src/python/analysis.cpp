@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case/named_parameter.hpp"
+#include "python/model_steps.hpp"
 #include "python/parts.hpp"
 #include "results/linearise.hpp"
 
@@ -75,10 +76,24 @@ std::vector<py::array> derivatives_by_bond(PythonAnalysis& analysis,
   return arrays;
 }
 
-std::vector<BlockParameter> places_of(const Solved& solved, const std::string& key) {
-  const NamedParameter named = find_parameter(*solved.model, key);
-  if (named.places.empty()) throw InputError({{{}, named.message, named.cure}});
+std::vector<BlockParameter> places_of(const Model& model, const std::string& key) {
+  const NamedParameter named = find_parameter(model, key);
+  if (named.places.empty()) {
+    std::vector<Fault> faults{{Place{}, named.message, named.cure}};
+    throw InputError(std::move(faults));
+  }
   return named.places;
+}
+
+/// The same where bonds with values of their own count, too.
+std::vector<BlockParameter> places_by_bond(const Model& model, const std::string& key) {
+  Model as_blocks;
+  as_blocks.blocks = model.blocks;
+  for (BondBlock& block : as_blocks.blocks)
+    for (const auto& [p, values] : std::exchange(block.overrides, {}))
+      for (const double value : values)
+        if (!std::isnan(value)) block.parameters[p] = value;
+  return places_of(as_blocks, key);
 }
 
 }  // namespace
@@ -102,16 +117,17 @@ std::shared_ptr<Solved> PythonAnalysis::solve(std::shared_ptr<const Model> model
     }
     solved->solution = owned->analysis->solve();
   });
+  owned->last = solved;
   owned_ = owned;
-  last_ = solved;
   return solved;
 }
 
 std::vector<BondGradients> PythonAnalysis::gradients(const std::shared_ptr<const Solved>& solved,
                                                      const std::vector<Output>& outputs) {
-  if (!owned_ || last_.lock() != solved) {
+  expect_outputs_of(*solved->model, outputs);
+  if (!owned_ || owned_->last.lock() != solved) {
     solve(solved->model, py::none());
-    last_ = solved;  // the same model has the same answer, to the last bit
+    owned_->last = solved;  // the same model has the same answer, to the last bit
   }
   const auto owned = std::exchange(owned_, nullptr);
   const auto result = std::make_shared<std::vector<BondGradients>>();
@@ -140,7 +156,7 @@ void add_analysis(py::module_& module) {
           [](PythonAnalysis& self, const std::shared_ptr<Solved>& solved, const std::vector<Output>& outputs,
              const std::vector<std::string>& keys) {
             std::vector<std::vector<BlockParameter>> parameters;
-            for (const std::string& key : keys) parameters.push_back(places_of(*solved, key));
+            for (const std::string& key : keys) parameters.push_back(places_of(*solved->model, key));
             return derivatives(self, solved, outputs, parameters);
           },
           py::arg("solved"), py::arg("outputs"), py::arg("keys"))
@@ -148,14 +164,15 @@ void add_analysis(py::module_& module) {
           "derivatives_by_bond",
           [](PythonAnalysis& self, const std::shared_ptr<Solved>& solved, const std::vector<Output>& outputs,
              const std::string& key) {
-            return derivatives_by_bond(self, solved, outputs, places_of(*solved, key));
+            return derivatives_by_bond(self, solved, outputs, places_by_bond(*solved->model, key));
           },
           py::arg("solved"), py::arg("outputs"), py::arg("key"));
   module.def(
       "keys",
       [](const Solved& solved, const std::string& key) {
         std::vector<std::string> keys;
-        for (const BlockParameter& at : places_of(solved, key)) keys.push_back(key_of(*solved.model, at));
+        for (const BlockParameter& at : places_of(*solved.model, key))
+          keys.push_back(key_of(*solved.model, at));
         return keys;
       },
       py::arg("solved"), py::arg("key"), "\"bonds.0.young\" of each block that a key names.");

@@ -13,6 +13,7 @@ struct OwnedAnalysis {
   Model model;
   std::function<void(const std::string&)> progress;  ///< of the call that uses it now
   std::unique_ptr<StaticAnalysis> analysis;
+  std::weak_ptr<const Solved> last;  ///< whose factor the analysis has
 };
 
 /// Solves again and again on one analysis of the pattern. Whoever uses the analysis takes it away meanwhile:
@@ -30,7 +31,6 @@ class PythonAnalysis {
  private:
   StaticOptions options_;
   std::shared_ptr<OwnedAnalysis> owned_;
-  std::weak_ptr<const Solved> last_;  ///< whose factor the analysis has
 };
 
 }  // namespace bondstatic

@@ -1,5 +1,6 @@
 #include "python/background.hpp"
 
+#include <cxxabi.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
@@ -10,6 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "python/parts.hpp"
+
 namespace bondstatic {
 
 namespace {
@@ -18,8 +21,7 @@ constexpr auto between_looks = std::chrono::milliseconds(50);
 
 std::atomic<int> running = 0;
 
-/// Static objects must not be destroyed under work that goes on unheard. Runs before their destructors, as it
-/// is registered after them.
+/// Static objects must not be destroyed under work that goes on unheard.
 void end_at_once(int status, void*) {
   if (running == 0) return;
   std::fflush(nullptr);
@@ -44,6 +46,16 @@ class SignalsBlocked {
 
 struct GivenUp {};
 
+/// Where the interpreter has ended meanwhile, this thread would be ended here, and its unwinding touch Python
+/// objects: it sleeps until the process is gone instead.
+void take_gil_back(PyThreadState* state) {
+  try {
+    PyEval_RestoreThread(state);
+  } catch (const abi::__forced_unwind&) {
+    for (;;) pause();
+  }
+}
+
 }  // namespace
 
 void Watch::tell(Message message) {
@@ -51,6 +63,12 @@ void Watch::tell(Message message) {
   const std::lock_guard lock(mutex_);
   messages_.push_back(std::move(message));
   changed_.notify_one();
+}
+
+void add_background() {
+  // At the interpreter's end, so that it runs before the destructors of whatever was made until then.
+  py::module_::import("atexit").attr("register")(
+      py::cpp_function([] { static_cast<void>(on_exit(end_at_once, nullptr)); }));
 }
 
 void run_watched(std::function<void(Watch&)> work) {
@@ -83,20 +101,19 @@ void run_watched(std::function<void(Watch&)> work) {
   try {
     for (bool done = false; !done;) {
       std::vector<Watch::Message> messages;
+      PyThreadState* const others_may_run = PyEval_SaveThread();
       {
-        const py::gil_scoped_release others_may_run;
         std::unique_lock lock(watch->mutex_);
         watch->changed_.wait_for(lock, between_looks,
                                  [&] { return watch->done_ || !watch->messages_.empty(); });
         messages = std::exchange(watch->messages_, {});
         done = watch->done_;
       }
+      take_gil_back(others_may_run);
       for (const Watch::Message& message : messages) message();
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
   } catch (...) {
-    static const int registered = on_exit(end_at_once, nullptr);
-    static_cast<void>(registered);
     watch->given_up_ = true;
     throw;
   }

@@ -1,10 +1,12 @@
 // Calibration of a case file, or of models that Python made.
+#include <fmt/format.h>
 #include <pybind11/eigen.h>
 
 #include "bondstatic/calibration.hpp"
 #include "bondstatic/case_file.hpp"
 #include "case/named_parameter.hpp"
 #include "python/background.hpp"
+#include "python/model_steps.hpp"
 #include "python/parts.hpp"
 #include "python/python_model.hpp"
 #include "solver/machine.hpp"
@@ -60,8 +62,10 @@ CalibrationResult calibrate_models(
     const std::vector<CalibrationParameter>& parameters, const std::vector<CalibrationTarget>& targets,
     const CalibrationOptions& options, const py::object& progress) {
   std::vector<GivenTest> tests;
-  for (const auto& [name, model, solve, outputs] : given)
+  for (const auto& [name, model, solve, outputs] : given) {
+    expect_outputs_of(model->edited.model(), outputs);
     tests.push_back({name, model->edited.kept(), solve, outputs});
+  }
   return calibrated(
       [tests, parameters, targets, options] {
         Problem problem{{}, parameters, targets, options, {}};
@@ -105,16 +109,24 @@ void add_calibrate(py::module_& module) {
                     "95 % interval; NaN where the tests cannot tell.")
       .def_readonly("upper_95", &CalibratedParameter::upper_95,
                     "95 % interval; NaN where the tests cannot tell.")
-      .def_readonly("at_bound", &CalibratedParameter::at_bound, "The bound holds it, the targets pull on.");
+      .def_readonly("at_bound", &CalibratedParameter::at_bound, "The bound holds it, the targets pull on.")
+      .def("__repr__", [](const CalibratedParameter& p) {
+        return fmt::format("<{} = {:.10g}, 95 % from {:.6g} to {:.6g}>", p.name, p.value, p.lower_95,
+                           p.upper_95);
+      });
   py::class_<AchievedTarget>(module, "AchievedTarget", "A target, and what came of it.")
       .def_readonly("output", &AchievedTarget::output)
       .def_readonly("test", &AchievedTarget::test)
       .def_readonly("wanted", &AchievedTarget::wanted)
       .def_readonly("achieved", &AchievedTarget::achieved)
-      .def_readonly("residual", &AchievedTarget::residual, "Over the tolerance.");
+      .def_readonly("residual", &AchievedTarget::residual, "Over the tolerance.")
+      .def("__repr__", [](const AchievedTarget& t) {
+        return fmt::format("<{}: wanted {:.10g}, achieved {:.10g}>", t.output, t.wanted, t.achieved);
+      });
   py::class_<Unidentified>(module, "Unidentified", "A direction of parameters that the targets do not see.")
       .def_readonly("direction", &Unidentified::direction)
-      .def_readonly("sentence", &Unidentified::sentence);
+      .def_readonly("sentence", &Unidentified::sentence)
+      .def("__repr__", [](const Unidentified& u) { return "<Unidentified: " + u.sentence + ">"; });
   py::class_<CalibrationStep>(module, "CalibrationStep", "One evaluation of all tests.")
       .def_readonly("parameters", &CalibrationStep::parameters)
       .def_readonly("cost", &CalibrationStep::cost, "Half the sum of squares that is made small.")
@@ -144,7 +156,10 @@ void add_calibrate(py::module_& module) {
               values[py::str(parameter.name)] = parameter.value;
             return values;
           },
-          "The parameters by name.");
+          "The parameters by name.")
+      .def("__repr__", [](const CalibrationResult& result) {
+        return fmt::format("<bondstatic.Calibration: {}; {} solves>", result.reason, result.solves);
+      });
   module.def("calibrate_case", &calibrate_case, py::arg("file"), py::arg("overrides"), py::arg("progress"));
   module.def("calibrate_models", &calibrate_models, py::arg("tests"), py::arg("parameters"),
              py::arg("targets"), py::arg("options"), py::arg("progress"));

@@ -71,7 +71,11 @@ void add_model(py::module_& module) {
                              [](const PythonModel& self) { return self.edited.model().load_cases; })
       .def_property_readonly("groups", &groups_of)
       .def_property_readonly(
-          "listed_bonds", [](const PythonModel& self) { return self.listed ? self.listed->bonds.size() : 0; })
+          "listed_bonds",
+          [](const PythonModel& self) {
+            return self.listed ? std::optional(self.listed->bonds.size()) : std::nullopt;
+          },
+          "How many; None where there is no list.")
       .def("positions_of", &positions_of, py::arg("ids"))
       .def("complete_cell", py::overload_cast<PythonModel&>(&complete_cell))
       .def("parameters", &parameters_of, py::arg("block"))

@@ -65,8 +65,8 @@ void expect_load_case(Draft& draft, Node& block) {
 
 Warnings add_block(PythonModel& self, void (*read)(Draft&, Node*), const std::string& caller,
                    const py::dict& given, const Positions& at) {
+  Node block = node_of(given, caller);  // beforehand: it runs Python
   return self.edited.edit(caller, [&](Draft& draft) {
-    Node block = node_of(given, caller);
     NamedPositions named(draft);
     named.put(block, "at", at);
     expect_load_case(draft, block);
@@ -125,9 +125,20 @@ void set_parameters_of(Draft& draft, BondBlock& block, std::size_t bonds, const 
     if (std::size_t(own.size()) != bonds)
       return fault(fmt::format("{} has {} values, the block has {} bonds", name, own.size(), bonds),
                    "name the block by block = N, and give one number for all or one for each of its bonds");
+    if (const auto row =
+            std::find_if(own.data(), own.data() + own.size(), [](double v) { return std::isnan(v); });
+        row != own.data() + own.size())
+      return fault(fmt::format("{}[{}] = nan must be a number", name, row - own.data()),
+                   "give each bond of the block its value");
     rule_out(p);
     block.overrides[p] = {own.data(), own.data() + own.size()};
   }
+  BondRows rows;
+  rows.a.resize(bonds);
+  rows.overrides = block.overrides;
+  check_bond_parameters(draft, law, values, rows, [&](Index row, Index) {
+    return Place{fmt::format("{}: bond {} of the block", table.place.file, row), 0, 0};
+  });
   if (block.overrides.empty()) {
     std::vector<std::string> complaints;
     values = complete_parameters(law, values, complaints);
@@ -153,8 +164,8 @@ Warnings add_group(PythonModel& self, const py::dict& given, const Positions& at
 std::pair<Index, Warnings> add_bonds(PythonModel& self, const py::dict& given, const Columns& columns,
                                      bool listed) {
   Index added = 0;
+  Node block = node_of(given, "Model.bond");
   auto warnings = self.edited.edit("Model.bond", [&](Draft& draft) {
-    Node block = node_of(given, "Model.bond");
     TableReader reader(draft.reading, block, "bond()");
     ListedBonds list;
     if (listed) {
@@ -179,8 +190,8 @@ void set_parameters(PythonModel& self, const py::dict& given, const Columns& col
   const std::vector<BondBlock> before = self.edited.model().blocks;
   if (chosen < -1 || chosen >= Index(before.size()))
     throw py::index_error(fmt::format("there is no block {}, the model has {}", chosen, before.size()));
+  Node table = node_of(given, "Model.set");
   self.edited.edit("Model.set", [&](Draft& draft) {
-    Node table = node_of(given, "Model.set");
     std::vector<std::size_t> bonds(before.size());
     for (const Bond& bond : draft.model.bonds) ++bonds[std::size_t(bond.block)];
     bool taken = false;
@@ -193,7 +204,9 @@ void set_parameters(PythonModel& self, const py::dict& given, const Columns& col
       taken = true;
       set_parameters_of(draft, draft.model.blocks[b], bonds[b], law, table, columns);
     }
-    if (!taken)
+    if (table.items.empty() && columns.empty())
+      draft.reading.fault(table.place, "no parameter is given", "give one by its name: young = 50e9");
+    else if (!taken)
       draft.reading.fault(table.place, "no such block of bonds has a law that takes these parameters",
                           "see model.parameters(0), or bondstatic.laws()");
     if (!draft.reading.faults.empty()) draft.model.blocks = before;
@@ -216,14 +229,36 @@ py::dict parameters_of(const PythonModel& self, Index chosen) {
 
 Output output_of(PythonModel& self, const py::dict& given, const std::map<std::string, Positions>& places) {
   std::vector<Output> outputs;
+  Node block = node_of(given, "output");
   self.edited.ask("output", [&](Draft& draft) {
-    Node block = node_of(given, "output");
     NamedPositions named(draft);
     for (const auto& [key, positions] : places) named.put(block, key, positions);
     Node list = list_of(std::move(block));
     outputs = read_outputs(draft, &list);
   });
   return outputs.front();
+}
+
+void expect_outputs_of(const Model& model, const std::vector<Output>& outputs) {
+  const auto where_of = [](const std::string& of) {
+    for (const Quantity& quantity : output_quantities())
+      if (quantity.name == of) return quantity.where;
+    return Quantity::Where::model;
+  };
+  const auto fits = [](const std::vector<Index>& chosen, std::size_t count) {
+    return std::all_of(chosen.begin(), chosen.end(), [&](Index i) { return std::size_t(i) < count; });
+  };
+  std::vector<Fault> faults;
+  for (const Output& output : outputs) {
+    const bool of_bonds = where_of(output.of) == Quantity::Where::bond;
+    if (fits(output.at, of_bonds ? model.bonds.size() : model.particles.size()) &&
+        fits(output.base, model.particles.size()) && fits(output.middle, model.particles.size()))
+      continue;
+    faults.push_back({{"output", 0, 0},
+                      fmt::format("\"{}\" is of another model: this one is smaller", output.name),
+                      "ask for it by this model's output()"});
+  }
+  if (!faults.empty()) throw InputError(faults);
 }
 
 void complete_cell(PythonModel& self) {

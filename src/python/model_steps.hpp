@@ -34,6 +34,9 @@ py::dict parameters_of(const PythonModel& self, Index block);
 /// `places`: positions for the keys at, base, middle of [[outputs]].
 Output output_of(PythonModel& self, const py::dict& given, const std::map<std::string, Positions>& places);
 
+/// Throws InputError where an output is of another model, whose particles or bonds are not there.
+void expect_outputs_of(const Model& model, const std::vector<Output>& outputs);
+
 /// Gives a periodic cell what goes without saying.
 void complete_cell(PythonModel& self);
 

@@ -5,6 +5,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace bondstatic;
   module.doc() = "What bondstatic's Python package stands on. Use `import bondstatic`.";
   module.def("version", &version, "Version of the library.");
+  add_background();
   add_errors();
   add_laws(module);
   add_model(module);

@@ -8,6 +8,7 @@ namespace bondstatic {
 
 namespace py = pybind11;
 
+void add_background();
 void add_errors();
 void add_laws(py::module_& module);
 void add_model(py::module_& module);

@@ -1,4 +1,6 @@
 // The explicit run to rest.
+#include <set>
+
 #include "bondstatic/case_file.hpp"
 #include "bondstatic/relaxation.hpp"
 #include "case/dynamic_options.hpp"
@@ -17,12 +19,31 @@ struct Relaxed {
   Relaxation relaxation;
 };
 
-/// The options of [dynamics] by keyword, all of them: what is not given has the default of a case file.
-RelaxOptions relax_options(const py::dict& given) {
+/// The options of [dynamics] by keyword; what is not given is as in `base`.
+RelaxOptions relax_options(const RelaxOptions& base, const py::dict& given) {
   Reading reading;
   Node table = node_of(given, "relax");
-  const RelaxOptions options = read_dynamic_options(reading, table);
+  std::set<std::string> keys;
+  for (const Node& item : table.items) keys.insert(item.key);
+  const RelaxOptions asked = read_dynamic_options(reading, table);
   if (!reading.faults.empty()) throw InputError(reading.faults);
+  RelaxOptions options = base;
+  const auto take = [&](const char* key, auto RelaxOptions::*option) {
+    if (keys.contains(key)) options.*option = asked.*option;
+  };
+  take("kinematics", &RelaxOptions::kinematics);
+  take("particle_damping", &RelaxOptions::particle_damping);
+  take("bond_damping", &RelaxOptions::bond_damping);
+  take("safety", &RelaxOptions::time_step);  // none: safety counts
+  take("safety", &RelaxOptions::safety);
+  take("time_step", &RelaxOptions::time_step);
+  take("ramp", &RelaxOptions::ramp);
+  take("ramp_time", &RelaxOptions::ramp_time);
+  take("velocity_limit", &RelaxOptions::velocity_limit);
+  take("force_limit", &RelaxOptions::force_limit);
+  take("hold_time", &RelaxOptions::hold_time);
+  take("max_steps", &RelaxOptions::max_steps);
+  take("record_interval", &RelaxOptions::record_interval);
   return options;
 }
 
@@ -76,7 +97,9 @@ py::dict report_of(const Relaxed& relaxed, std::size_t load_case) {
 }  // namespace
 
 void add_relax(py::module_& module) {
-  py::class_<RelaxOptions>(module, "RelaxOptions").def(py::init(&relax_options), py::arg("given"));
+  py::class_<RelaxOptions>(module, "RelaxOptions")
+      .def(py::init<>())
+      .def("with_", &relax_options, py::arg("given"), "These options with some of them replaced.");
   py::class_<Relaxed, std::shared_ptr<Relaxed>>(module, "Relaxed")
       .def_property_readonly("load_cases", [](const Relaxed& r) { return r.model->load_cases; })
       .def_property_readonly("at_rest", [](const Relaxed& r) { return r.relaxation.at_rest(); })

@@ -2,6 +2,7 @@
 
 #include "bondstatic/output.hpp"
 #include "case/solve_options.hpp"
+#include "python/model_steps.hpp"
 #include "python/node_of.hpp"
 #include "python/parts.hpp"
 #include "python/state.hpp"
@@ -61,6 +62,7 @@ py::object effective_of(const Solved& solved) {
 }
 
 std::vector<double> evaluate(const Solved& solved, const std::vector<Output>& outputs) {
+  expect_outputs_of(*solved.model, outputs);
   std::vector<double> values;
   for (const OutputValue& value : evaluate_outputs(*solved.model, solved.solution, outputs))
     values.push_back(value.value);

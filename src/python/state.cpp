@@ -1,5 +1,7 @@
 #include "python/state.hpp"
 
+#include <fmt/format.h>
+
 #include "python/parts.hpp"
 
 namespace bondstatic {
@@ -49,6 +51,8 @@ void add_state(py::module_& module) {
 
 All arrays are read-only views without a copy; NaN where a bond is left out with its body.)");
   bonds.def("__len__", [](const PythonBonds& b) { return b.results().size(); })
+      .def("__repr__",
+           [](const PythonBonds& b) { return fmt::format("<bondstatic.Bonds: {}>", b.results().size()); })
       .def_property_readonly(
           "force", [](const PythonBonds& b) { return half_of_force(b, 0); },
           "(m, 3), force: what the bond does to its particle b, global axes.")
@@ -105,7 +109,12 @@ out.)")
           "(3, 3): mean strain of a periodic cell, tensor components.")
       .def_property_readonly(
           "stress", [](const PythonState& s) { return matrix(s.state->stress); },
-          "(3, 3), force / length^2: mean stress of a periodic cell, tension positive; else NaN.");
+          "(3, 3), force / length^2: mean stress of a periodic cell, tension positive; else NaN.")
+      .def("__repr__", [](const PythonState& s) {
+        return fmt::format("<bondstatic.State{}: {} particles, {} bonds>",
+                           s.state->name.empty() ? "" : " \"" + s.state->name + "\"",
+                           s.state->displacement.size(), s.state->bonds.size());
+      });
 }
 
 }  // namespace bondstatic

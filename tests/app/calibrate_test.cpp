@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/run_program.hpp"
@@ -209,6 +210,24 @@ TEST(Calibrate, InvalidInputEndsWith2AndLeavesNothing) {
     EXPECT_THAT(ended.err, HasSubstr("cure: "));
   }
   EXPECT_THAT(everything_in(folder.path()), ElementsAre("blocked", "case.toml", "plain.toml"));
+}
+
+TEST(Calibrate, ReplacesOnlyWhatACalibrationLeft) {
+  const ScratchFolder folder;
+  const std::string out = folder.path().string();
+  const std::string mine = folder.write("history.csv", "mine");
+  const Ended refused = run_program({"calibrate", cases + "cantilever-kappa.toml", "--out", out});
+  EXPECT_EQ(refused.code, int(ExitCode::invalid_input));
+  EXPECT_THAT(refused.err, HasSubstr("history.csv"));
+  EXPECT_EQ(read_text(mine), "mine");
+  EXPECT_THAT(everything_in(out), ElementsAre("history.csv"));
+
+  std::filesystem::remove(mine);
+  for (int time = 0; time < 2; ++time) answer({cases + "cantilever-kappa.toml", "--out", out});
+  const std::string calibrated = read_text(folder / "calibrated.toml");
+  const Ended onto_itself = run_program({"calibrate", out + "/calibrated.toml", "--out", out});
+  EXPECT_EQ(onto_itself.code, int(ExitCode::invalid_input));
+  EXPECT_EQ(read_text(folder / "calibrated.toml"), calibrated);
 }
 
 TEST(Calibrate, IsNothingToSolve) {

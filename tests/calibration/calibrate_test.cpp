@@ -142,6 +142,32 @@ TEST(Calibrate, WhatIsOutOfReachNamesTheBound) {
           HasSubstr("twist is "), HasSubstr("instead of "), HasSubstr("tolerances")));
 }
 
+// What is achieved is known as well where it is nothing beside what is wanted.
+TEST(Calibrate, AchievedIsWhatTheModelSays) {
+  const Values soft{{"young", 1e9}, {"poisson", 0.2}};
+  CalibrationTest test = cantilever_test("timoshenko", {{"young", 70e9}, {"poisson", 0.2}});
+  test.parameters = {moves(test, "young")};
+  const double tip = outputs_of(cantilever_test("timoshenko", soft))[0];
+  const CalibrationResult found = calibrate({test}, {parameter("young", 1e9, 1e12)},
+                                            {{.output = "tip", .test = "", .wanted = 1e12 * tip}});
+  EXPECT_TRUE(found.parameters[0].at_bound);
+  EXPECT_NEAR(found.targets[0].achieved / tip, 1, 1e-13);
+}
+
+// Intervals from tolerances are none where the model itself is wrong by much more.
+TEST(Calibrate, IntervalsThatMisfitBeliesAreSaidToBeTooNarrow) {
+  CalibrationTest test = cantilever_test("timoshenko", {{"young", 70e9}, {"poisson", 0.2}});
+  test.parameters = {moves(test, "young")};
+  std::vector<double> wanted = outputs_of(test);
+  const std::vector<CalibrationParameter> young{parameter("young", 1e9, 1e12)};
+  EXPECT_THAT(calibrate({test}, young, targets_of(test, wanted, 1e-3)).warnings, IsEmpty());
+  wanted[4] *= 1.05;
+  const CalibrationResult found = calibrate({test}, young, targets_of(test, wanted, 1e-3));
+  EXPECT_TRUE(found.converged);
+  ASSERT_THAT(found.warnings, SizeIs(1));
+  EXPECT_THAT(found.warnings[0], HasSubstr("95 % intervals rest on: these are too narrow"));
+}
+
 TEST(Calibrate, SeveralTestsShareTheirParameters) {
   // Two cantilevers, one of bonds twice as long; the second alone has kappa.
   CalibrationTest first = cantilever_test("timoshenko", {{"young", 50e9}, {"poisson", 0.3}});

@@ -79,6 +79,8 @@ TEST(CalibrationInput, TargetsMustBeThereAndBeNumbers) {
   asked = {};
   asked.targets.push_back(asked.targets[0]);
   EXPECT_THAT(asked.fault(), HasSubstr("target tip is given twice"));
+  asked.targets.back().test = "";  // of every test, that one too
+  EXPECT_THAT(asked.fault(), HasSubstr("target tip is given twice"));
 }
 
 TEST(CalibrationInput, UnknownNamesAreAnsweredWithTheNearest) {

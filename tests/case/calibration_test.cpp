@@ -344,6 +344,15 @@ TEST(CalibrationProblem, SaysWhichTestDoesNotFollowAParameter) {
   EXPECT_THROW(problem_of(two, {{"tip.toml", generic}}), InputError);
 }
 
+TEST(CalibrationProblem, SaysWhichBondsHaveTheirOwnValue) {
+  const CalibrationProblem problem = problem_of(calibrated({}, {{8, "radius = 0.2\nfile = \"bonds.csv\""}}),
+                                                {{"bonds.csv", "a,b,young\n1,2,1e9\n2,3,\n3,4,2e9\n"}});
+  ASSERT_EQ(problem.warnings.size(), 1u);
+  EXPECT_THAT(
+      problem.warnings[0],
+      HasSubstr("2 of 3 bonds of bonds.0 have a young of their own, and do not follow bonds.0.young"));
+}
+
 TEST(CalibrationProblem, NeedsTheTable) {
   try {
     problem_of(sound_case());

@@ -60,8 +60,15 @@ class Calibrations(unittest.TestCase):
                                 ("nan|finite|number", ({"young": (1e9, 1e12)}, {"deflection": float("nan")}))):
             with self.assertRaisesRegex(bs.InputError, text):
                 bs.calibrate(model, *arguments)
-        with self.assertRaisesRegex(bs.InputError, "stand in the case file"):
-            bs.calibrate(CASES / "calibration" / "yade.toml", {"young": (1, 2)})
+        for text, bounds in (("one is no number", ("one", "two")), ("1 numbers", (1e9,)), ("no max", {"min": 1e9}),
+                             ('scale = "lgo"', {"min": 1e9, "max": 1e12, "scale": "lgo"})):
+            with self.assertRaisesRegex(bs.InputError, text.replace("one is", "'one' is")):
+                bs.calibrate(model, {"young": bounds}, {"deflection": -1e-6})
+        with self.assertRaisesRegex(bs.InputError, "set changes keys of a case file"):
+            bs.calibrate(model, {"young": (1e9, 1e12)}, {"deflection": -1e-6}, set={"bonds.0.young": 1.0})
+        for given in ({"parameters": {"young": (1, 2)}}, {"loss": "cauchy"}, {"most_evaluations": 3}):
+            with self.assertRaisesRegex(bs.InputError, "stand in the case file"):
+                bs.calibrate(CASES / "calibration" / "yade.toml", **given)
         with self.assertRaisesRegex(bs.InputError, "calibration"):
             bs.calibrate(CASES / "cantilever" / "case.toml")
 

@@ -1,4 +1,5 @@
 """Models of arrays: closed forms, choices, and what is said of wrong input."""
+import copy
 import time
 import unittest
 import warnings
@@ -126,12 +127,36 @@ class Choices(unittest.TestCase):
         self.assertNotEqual(bs.solve(model).energy, before.energy)
         model.set(young=np.full(10, YOUNG))
         np.testing.assert_array_equal(bs.solve(model).displacement, before.displacement)
-        model.set(young=np.array([-1.0] + [YOUNG] * 9))
-        with self.assertRaisesRegex(bs.InputError, "young = -1"):
-            bs.solve(model)
-        model.set(young=YOUNG)
+        for text, wrong in (("bond 0 of the block: young = -1", [-1.0] + [YOUNG] * 9),
+                            (r"young\[9\] = nan", np.array([YOUNG] * 9 + [np.nan])), ("young has 9 values", [YOUNG] * 9),
+                            ("no parameter", None)):
+            with self.assertRaisesRegex(bs.InputError, text):
+                model.set(young=wrong)
+        with self.assertRaisesRegex(IndexError, "no block -1"):
+            model.set(block=-1, young=1.0)
+        np.testing.assert_array_equal(model.parameters()["young"], np.full(10, YOUNG))
+        model.set(young=np.array(YOUNG))
+        self.assertEqual(model.parameters()["young"], YOUNG)
         with self.assertRaisesRegex(bs.InputError, "no such block"):
             model.set(kappa=0.9)
+
+    def test_an_empty_list_of_bonds_is_a_list(self):
+        x, radius, _ = beam()
+        model = bs.Model(x, radius, [])
+        with self.assertRaisesRegex(bs.InputError, "empty list of bonds"):
+            model.bond(law="timoshenko", young=YOUNG, poisson=POISSON)
+        self.assertEqual(model.bond(law="timoshenko", young=YOUNG, poisson=POISSON, gap=0.001), 10)
+
+    def test_copies_are_their_own(self):
+        for another in (bs.Model.copy, copy.copy, copy.deepcopy):
+            model = cantilever()
+            model.output("tip", "uz", 10)
+            model.load(10, force=(0, 0, -1.0))
+            made = another(model)
+            made.load(10, force=(0, 0, -1.0))
+            made.output("twist", "rx", 10)
+            self.assertAlmostEqual(bs.solve(made).outputs["tip"] / bs.solve(model).outputs["tip"], 2, delta=1e-13)
+            self.assertEqual([output.name for output in model.outputs], ["tip"])
 
     def test_a_parameter_rules_out_what_says_the_same(self):
         model = bs.Model(*beam())
@@ -154,6 +179,25 @@ class Choices(unittest.TestCase):
 
 
 class WrongInput(unittest.TestCase):
+    def test_outputs_of_another_model(self):
+        larger = bs.Model(*beam(200))
+        larger.bond(law="timoshenko", young=YOUNG, poisson=POISSON)
+        model = cantilever()
+        model.load(10, force=(0, 0, -1.0))
+        s = bs.solve(model)
+        for output in (larger.output("far", "uz", 199), larger.output("far", "normal_force", bond=199)):
+            self.check('"far" is of another model', s.sensitivity, output, "young")
+            model.outputs = [output]
+            self.check('"far" is of another model', lambda: bs.solve(model).outputs)
+            self.check('"far" is of another model', bs.calibrate, model, {"young": (1e9, 1e12)}, {"far": -1.0})
+
+    def test_arguments_that_would_not_count(self):
+        case, data = CASES / "cantilever" / "case.toml", CASES / "lammps-bpm" / "packing.data"
+        self.check("is a case", bs.read, case, radius=1.0)
+        self.check("set changes keys of a case", bs.read, data, set={"bonds.0.young": 1.0})
+        model = bs.read(case, set={"bonds.0.young": np.float32(1.0), "supports.0.fix": np.array(["all"])[0]})
+        self.assertEqual(model.parameters()["young"], 1.0)
+
     def check(self, text, call, *args, **kwargs):
         with self.assertRaises(bs.InputError) as caught:
             call(*args, **kwargs)

@@ -25,17 +25,16 @@ print(bs.solve(bs.read({case!r})).outputs["tip"])
 
 
 class Package(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="bondstatic-package-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def install(self):
-        prefix = self.folder / "prefix"
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        prefix = cls.folder / "prefix"
         build = os.environ["BONDSTATIC_BUILD"]
-        subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python"], check=True,
+        subprocess.run(["cmake", "--install", build, "--prefix", prefix, "--component", "python", "--strip"], check=True,
                        stdout=subprocess.DEVNULL)
-        return next(prefix.glob("lib/python*/*-packages"))
+        cls.packages = next(prefix.glob("lib/python*/*-packages"))
 
     def use(self, packages):
         code = USE.format(folder=str(packages), case=str(CASES / "cantilever" / "case.toml"))
@@ -46,14 +45,12 @@ class Package(unittest.TestCase):
         self.assertAlmostEqual(float(done.stdout), -0.008534241726, delta=1e-12)
 
     def test_installed(self):
-        packages = self.install()
-        self.use(packages)
-        names = {path.name for path in (packages / "bondstatic").iterdir()}
+        self.use(self.packages)
+        names = {path.name for path in (self.packages / "bondstatic").iterdir()}
         self.assertLessEqual({"__init__.py", "_core.pyi", "py.typed", "model.py"}, names)
 
     def test_wheel(self):
-        packages = self.install()
-        name = wheel.pack(packages, self.folder)
+        name = wheel.pack(self.packages, self.folder)
         with zipfile.ZipFile(self.folder / name) as packed:
             record = next(entry for entry in packed.namelist() if entry.endswith(".dist-info/RECORD"))
             rows = list(csv.reader(io.StringIO(packed.read(record).decode())))

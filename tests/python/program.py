@@ -16,10 +16,10 @@ def run(*arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
-def tables(case):
+def tables(case, *options):
     """(particles, bonds) of `solve`, each a dict of columns."""
     with tempfile.TemporaryDirectory() as folder:
-        done = run("solve", case, "--out", folder)
+        done = run("solve", case, "--out", folder, *options)
         if done.returncode != 0:
             raise AssertionError(done.stderr)
         return [read_table(pathlib.Path(folder) / name) for name in ("particles.csv", "bonds.csv")]

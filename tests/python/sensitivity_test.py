@@ -1,4 +1,6 @@
 """Exact derivatives from Python, against closed forms, Euler's identities and differences."""
+import threading
+import time
 import unittest
 
 import numpy as np
@@ -110,6 +112,53 @@ class Sensitivities(unittest.TestCase):
         np.testing.assert_array_equal(analysis.solve().displacement, bs.solve(model).displacement)
         model.fix(10, dofs=["z"])  # another pattern
         np.testing.assert_array_equal(analysis.solve().displacement, bs.solve(model).displacement)
+
+    def test_bonds_with_values_of_their_own(self):
+        model = cantilever()
+        wanted = bs.solve(model).sensitivity("tip", "young", by="bond")["young"]
+        for given in (np.full(10, YOUNG), [YOUNG] * 10):
+            model.set(young=given)
+            s = bs.solve(model)
+            np.testing.assert_array_equal(s.sensitivity("tip", "young", by="bond")["young"], wanted)
+            with self.assertRaisesRegex(bs.InputError, "each bond of bonds.0 has a young of its own"):
+                s.sensitivity("tip", "young")
+        model = bs.Model(*beam())
+        model.bond(law="timoshenko", young=np.full(10, YOUNG), poisson=POISSON, radius_factor=0.9)
+        model.fix(0)
+        model.load(10, force=(0, 0, -1000.0))
+        found = bs.solve(model).sensitivity("uz", "bonds.0.young", by="bond", at=10)["bonds.0.young"]
+        np.testing.assert_array_equal(found, wanted)
+
+    def test_a_quantity_with_the_name_of_an_output(self):
+        model = cantilever()
+        middle = model.output("uz", "uz", 5)
+        s = bs.solve(model)
+        self.assertEqual(s.sensitivity("uz", "young", at=10), s.sensitivity("tip", "young"))
+        self.assertNotEqual(s.sensitivity("uz", "young"), s.sensitivity("tip", "young"))
+        with self.assertRaisesRegex(bs.InputError, "says itself which particles"):
+            s.sensitivity(middle, "young", at=10)
+        with self.assertRaisesRegex(bs.InputError, "no quantity"):
+            s.sensitivity("tip", "young", at=10)
+        with self.assertRaisesRegex(TypeError, "bye"):
+            s.sensitivity("tip", "young", bye="bond")
+        np.testing.assert_array_equal(s.jacobian("tip", "young"), s.jacobian(["tip"], ["young"]))
+
+    def test_an_analysis_that_threads_share(self):
+        model = bs.Model(*beam(101))
+        model.bond(law="timoshenko", young=YOUNG, poisson=POISSON)
+        model.fix(0)
+        model.load(100, force=(0, 0, -1000.0))
+        many = [model.output(f"u{p}", "uz", p) for p in range(1, 101)] * 20
+        analysis = bs.Analysis(model)
+        first = analysis.solve()
+        wanted = first.sensitivity("u100", "young")["young"]
+        asking = threading.Thread(target=first.jacobian, args=(many, "young"))
+        asking.start()
+        time.sleep(0.005)  # the gradients, some tenths of a second, have the factor by now
+        model.set(young=YOUNG / 2)
+        second = analysis.solve()
+        asking.join()
+        self.assertAlmostEqual(second.sensitivity("u100", "young")["young"] / wanted, 4, delta=1e-9)
 
     def test_wrong_questions(self):
         s = bs.solve(cantilever())

@@ -19,7 +19,7 @@ BondCode musen_solid_bond();
 /// A round section of radius r with a normal and a shear stiffness per area: the parallel bond of Potyondy
 /// and Cundall. `moment_factor` times its rotational stiffnesses is what acts.
 inline BondProperties on_section(double normal, double shear, double radius, double moment_factor = 1) {
-  const RoundSection section{radius};
+  const RoundSection<double> section{radius};
   return {.stiffness = {.kn = normal * section.area(),
                         .ks = shear * section.area(),
                         .kt = shear * section.polar_moment() * moment_factor,

@@ -11,7 +11,7 @@ enum Input : std::size_t { young, poisson, kappa, radius, radius_factor };
 constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
   const T r = bond_radius(site, in[radius], in[radius_factor]);
   const T ratio = std::isnan(double(in[kappa])) ? 2 * (1 + in[poisson]) : in[kappa];
-  const T kn = in[young] * RoundSection{r}.area() / site.length;
+  const T kn = in[young] * RoundSection<T>{r}.area() / site.length;
   const T ks = kn / ratio;
   return {.kn = kn, .ks = ks, .kt = 0.5 * ks * r * r, .kb = 0.25 * kn * r * r, .radius = r};
 };

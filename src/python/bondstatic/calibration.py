@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Union
 
+import numpy as np
+
 from . import _core
 from .errors import InputError
 from .model import Model, _warn
@@ -22,7 +24,7 @@ Target = Union[float, tuple[float, float], Mapping[str, Any]]
 def calibrate(what: str | os.PathLike[str] | Model | Mapping[str, Model],
               parameters: Mapping[str, Bounds] | None = None,
               targets: Mapping[str, Target] | None = None, *, set: Mapping[str, Any] | None = None,
-              loss: str = "squares", most_evaluations: int = 50,
+              loss: str | None = None, most_evaluations: int | None = None,
               progress: CalibrationProgress = None) -> _core.Calibration:
     """Least squares with exact derivatives, in a handful of solves.
 
@@ -32,47 +34,69 @@ def calibrate(what: str | os.PathLike[str] | Model | Mapping[str, Model],
     targets     of a model: {"stiffness": 35e9}, (35e9, 1e8) with its standard deviation, or
                 {"wanted": .., "tolerance": .., "weight": .., "case": "name of the test"}
     set         of a case file: values of its keys
-    loss        "squares", "huber" or "cauchy"
+    loss        of a model: "squares" unless given, "huber" or "cauchy"
+    most_evaluations  of a model: 50 unless given
+    progress    called with the number of each evaluation and its cost
 
     Calibration.values are what was found; .reached, .reason, .unidentified say what it is worth.
     """
     if isinstance(what, (str, os.PathLike)):
-        if parameters is not None or targets is not None:
-            raise InputError("parameters and targets stand in the case file\n    cure: give a model instead of a file, "
-                             "or change the case by set")
+        if any(given is not None for given in (parameters, targets, loss, most_evaluations)):
+            raise InputError("parameters, targets, loss and most_evaluations stand in the case file\n"
+                             "    cure: give a model instead of a file, or change the case by set")
         path = os.fspath(what)
         result = _core.calibrate_case(case_file(path) or path, overrides(set), progress)
     else:
         tests: Mapping[str, Model] = {"": what} if isinstance(what, Model) else what
+        if set is not None:
+            raise InputError("set changes keys of a case file, and a model was given\n    cure: use Model.set()")
+        loss = "squares" if loss is None else loss
         if loss not in ("squares", "huber", "cauchy"):
             raise InputError(f'loss = "{loss}" is unknown\n    cure: write "squares", "huber" or "cauchy"')
         ready = [(name, test._ready()) for name, test in tests.items()]
         result = _core.calibrate_models([(name, test._core, test._solve, test.outputs) for name, test in ready],
                                         [_parameter(name, bounds) for name, bounds in (parameters or {}).items()],
                                         [_target(name, target) for name, target in (targets or {}).items()],
-                                        _core.CalibrationOptions(loss, most_evaluations), progress)
+                                        _core.CalibrationOptions(loss, 50 if most_evaluations is None else most_evaluations),
+                                        progress)
     _warn(result.warnings)
     return result
 
 
 def _parameter(name: str, bounds: Bounds) -> _core.CalibrationParameter:
-    given: Mapping[str, Any] = bounds if isinstance(bounds, Mapping) else {"min": bounds[0], "max": bounds[1]}
+    given: Mapping[str, Any] = bounds if isinstance(bounds, Mapping) else _pair(bounds, ("min", "max"), name)
     _only(given, ("min", "max", "start", "scale"), name)
-    lower, upper = float(given["min"]), float(given["max"])
+    lower, upper = _number(given, "min", name), _number(given, "max", name)
     scale = given.get("scale", "log" if lower > 0 else "linear")
-    return _core.CalibrationParameter(name, lower, upper, float(given.get("start", math.nan)), scale == "log")
+    if scale not in ("log", "linear"):
+        raise InputError(f'{name}: scale = "{scale}" is unknown\n    cure: write "log" or "linear"')
+    return _core.CalibrationParameter(name, lower, upper, _number(given, "start", name), scale == "log")
 
 
 def _target(output: str, target: Target) -> _core.CalibrationTarget:
     if isinstance(target, Mapping):
         given: Mapping[str, Any] = target
-    elif isinstance(target, Sequence):
-        given = {"wanted": target[0], "tolerance": target[1]}
+    elif np.ndim(target) > 0:
+        given = _pair(target, ("wanted", "tolerance"), output)
     else:
         given = {"wanted": target}
     _only(given, ("output", "case", "wanted", "tolerance", "weight"), output)
-    return _core.CalibrationTarget(given.get("output", output), given.get("case", ""), float(given["wanted"]),
-                                   float(given.get("tolerance", math.nan)), float(given.get("weight", 1)))
+    return _core.CalibrationTarget(given.get("output", output), given.get("case", ""), _number(given, "wanted", output),
+                                   _number(given, "tolerance", output), _number({"weight": 1, **given}, "weight", output))
+
+
+def _pair(values: Any, keys: tuple[str, str], name: str) -> dict[str, Any]:
+    if len(values) != 2:
+        raise InputError(f"{name}: {len(values)} numbers\n    cure: give {keys[0]} and {keys[1]}")
+    return dict(zip(keys, values))
+
+
+def _number(given: Mapping[str, Any], key: str, name: str) -> float:
+    value = given.get(key, math.nan)
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: {key} = {value!r} is no number\n    cure: give a number, in the model's units") from None
 
 
 def _only(given: Mapping[str, Any], allowed: Sequence[str], name: str) -> None:

@@ -38,9 +38,9 @@ def stiffness(model: Model) -> sparse.csr_matrix:
     return _whole_of(values, rows, starts)
 
 
-def system(model: Model, case: str | None = None, *, unsupported: str = "error") -> System:
+def system(model: Model, case: str | None = None, *, unsupported: str | None = None) -> System:
     """The reduced system of a load case; the only one unless named. Bodies that no support touches are an error, or
-    with unsupported="drop" have no unknowns."""
+    with unsupported="drop" have no unknowns; as in the model's case unless given."""
     ready = model._ready()
     names = ready.load_cases
     if case is None and len(names) > 1:

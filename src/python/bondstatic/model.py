@@ -58,7 +58,7 @@ class Model:
         #: What was taken, assumed and left out where another code's files were read, full sentences.
         self.notes: dict[str, list[str]] = {}
         self._solve = _core.SolveOptions()
-        self._relax: _core.RelaxOptions | None = None
+        self._relax = _core.RelaxOptions()
 
     @classmethod
     def _made(cls, core: _core.Model) -> Model:
@@ -74,6 +74,12 @@ class Model:
         made.outputs, made.notes = list(self.outputs), dict(self.notes)
         made._solve, made._relax = self._solve, self._relax
         return made
+
+    def __copy__(self) -> Model:
+        return self.copy()
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Model:
+        return self.copy()
 
     def _ready(self) -> Model:
         """A copy that can be solved: a periodic cell has what goes without saying, as in a case file."""
@@ -110,7 +116,7 @@ class Model:
 
     @property
     def bond_ids(self) -> Ints:
-        """(m,)"""
+        """(m,): from 1 on unless a file has them; not rows. What is asked with bond=.. takes them."""
         return self._core.bond_ids
 
     @property
@@ -155,17 +161,18 @@ class Model:
         Bonds form where spheres of contact_radius_factor times the radius touch, or within `gap`; where neither is
         given, the bonds that the model was made with get the law, or else touching spheres. `between`: a group, or two:
         one end in each. `existing`: what happens to a pair that is bonded already, "error", "skip" or "add".
-        Parameters are the law's; of listed bonds, arrays (m,) give each its own.
+        Parameters are the law's; of listed bonds, arrays (m,) in the order of the list give each its own.
         """
         by_distance = gap is not None or (contact_radius_factor is not None and contact_point != "contact-radii")
-        listed = self._core.listed_bonds > 0 and not by_distance
-        given = {"law": law, "gap": gap, "contact_radius_factor": contact_radius_factor, "contact_point": contact_point,
-                 "between": between, "existing": existing, **parameters}
-        columns = _arrays(given)
+        listed = self._core.listed_bonds is not None and not by_distance
+        _need(not listed or self._core.listed_bonds != 0, "the model was made with an empty list of bonds",
+              "leave bonds out, or give gap or contact_radius_factor, where they shall form by distance")
+        given, columns = _arrays({"law": law, "gap": gap, "contact_radius_factor": contact_radius_factor,
+                                  "contact_point": contact_point, "between": between, "existing": existing,
+                                  **parameters})
         _need(listed or not columns, f"{', '.join(columns)}: an array, but no bonds are listed",
               "give one number for all, or make the model with bonds")
-        plain = {name: value for name, value in given.items() if name not in columns}
-        added, said = self._core.bond(plain, columns, listed)
+        added, said = self._core.bond(given, columns, listed)
         _warn(said)
         return added
 
@@ -209,7 +216,7 @@ class Model:
         """Asks for a number, which Solution.outputs then tells.
 
         of      a column of particles ("uz", "reaction_fz"), of bonds ("normal_force"), "energy", "apparent_young", ...
-        at      particles, as in fix(); `bond`: bonds, by ids
+        at      particles, as in fix(); `bond`: bonds, by ids (bond_ids, not rows)
         reduce  "value" of one, "sum", "mean" or "max" of several
         base, axis  of apparent_young and apparent_poisson: the platen that stands still, and from it to `at`
         middle      of apparent_poisson: where the sides are measured; the middle third unless given
@@ -231,18 +238,26 @@ class Model:
     def set(self, *, block: int | None = None, **parameters: Quantity | Floats) -> None:
         """Changes parameters of the laws: of one block of bonds, or of all whose law takes them. Arrays give each bond
         of the block its own."""
-        columns = _arrays(parameters)
-        plain = {name: value for name, value in parameters.items() if name not in columns}
-        self._core.set(plain, columns, -1 if block is None else block)
+        if block is not None and block < 0:
+            raise IndexError(f"there is no block {block}, the model has {len(self.laws)}")
+        given, columns = _arrays(parameters)
+        self._core.set(given, columns, -1 if block is None else block)
 
     def parameters(self, block: int = 0) -> dict[str, Any]:
         """Parameters of a block of bonds by name; arrays where bonds have their own."""
         return self._core.parameters(block)
 
 
-def _arrays(given: Mapping[str, Any]) -> dict[str, Floats]:
-    """Values of single bonds."""
-    return {name: value for name, value in given.items() if isinstance(value, np.ndarray) and value.ndim == 1}
+def _arrays(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Floats]]:
+    """What counts for all bonds, and values of single ones."""
+    for_all, columns = {}, {}
+    for name, value in given.items():
+        array = None if value is None or isinstance(value, (str, bool, Mapping)) else np.asarray(value)
+        if array is not None and array.ndim == 1 and array.dtype.kind in "iuf":
+            columns[name] = array.astype(np.float64)
+        else:
+            for_all[name] = value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
+    return for_all, columns
 
 
 def _need(sound: bool, found: str, cure: str) -> None:

@@ -1,10 +1,12 @@
 """The explicit run to rest."""
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, Union
 
 from . import _core
+from .errors import InputError
 from .model import Floats, Model, _warn
 from .solution import States
 
@@ -26,6 +28,9 @@ class Relaxation(States):
         #: By load case: at_rest, steps, time, time_step, critical_time_step, predicted_steps, seconds, ...
         self.reports: dict[str, dict[str, Any]] = {name: relaxed.report(c) for c, name in enumerate(names)}
 
+    def __repr__(self) -> str:
+        return f"<bondstatic.Relaxation: {'' if self.at_rest else 'not '}at rest, load cases {list(self)}>"
+
     def history(self, load_case: str | None = None) -> dict[str, Floats]:
         """Columns over time: step, time, kinetic, strain, work, dissipated, unbalanced, ... of a load case, the only
         one unless named."""
@@ -44,10 +49,12 @@ def relax(model: Model, *, threads: int | None = None, load_factor: float = 1.0,
     threads      at most; the answer does not depend on it
     load_factor  times all loads and prescribed motions
     dynamics     as in [dynamics] of a case file: kinematics="small", particle_damping=0.7, ramp_time=.., max_steps=..;
-                 where none is given, as in the model's case
+                 what is not given is as in the model's case
     """
     ready = model._ready()
-    options = ready._relax if ready._relax is not None and not dynamics else _core.RelaxOptions(dynamics)
+    if not math.isfinite(load_factor):
+        raise InputError(f"load_factor = {load_factor} must be finite\n    cure: write load_factor=1.0")
+    options = ready._relax.with_(dynamics)
     solve = ready._solve.with_({"threads": threads})
     relaxation = Relaxation(ready, _core.relax(ready._core, options, solve, load_factor, progress))
     _warn(relaxation._relaxed.warnings)

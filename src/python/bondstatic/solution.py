@@ -95,6 +95,10 @@ class Solution(States):
         #: Solver, threads, unknowns, seconds by phase, peak_bytes, dropped bodies (ids), warnings, ...
         self.report: dict[str, Any] = solved.report
 
+    def __repr__(self) -> str:
+        return (f"<bondstatic.Solution: {len(self.model)} particles, {len(self.model.bond_ids)} bonds, "
+                f"load cases {list(self)}, by {self.report['solver']}>")
+
     @property
     def accuracy(self) -> dict[str, float]:
         """backward_error, forward_error (a bound on the largest displacement's relative error), balances."""
@@ -121,11 +125,12 @@ class Solution(States):
                     **where: Quantity) -> dict[str, Any]:
         """Exact derivatives of a number with respect to parameters of the bonds' laws, by the adjoint method.
 
-        output      an Output, the name of one, or a quantity as in Model.output() with at, reduce and case;
-                    "reaction_z" stands for the sum of all reactions, "reaction_fz"
+        output      an Output, the name of one, or a quantity as in Model.output() with at, reduce, case and bond: with
+                    any of them it is a quantity. "reaction_z" stands for the sum of all reactions, "reaction_fz"
         parameters  "young" of all blocks that give it, or "bonds.0.young" of one
         by          "global": one number each; "block": a dict by block, {"bonds.0.young": ..}; "bond": an array (m,),
-                    with respect to each bond's own value, NaN for bonds without
+                    with respect to each bond's own value, NaN for bonds without. Where bonds were given values of
+                    their own, only "bond" counts these
 
         The first call after solve() factorises again; an Analysis has its factor at hand.
         """
@@ -143,11 +148,13 @@ class Solution(States):
             raise InputError(f'by = "{by}" is unknown\n    cure: write "global", "block" or "bond"')
         return dict(zip(names, analysis.derivatives(self._solved, [asked], names)[0]))
 
-    def jacobian(self, outputs: Sequence[OutputLike], parameters: Sequence[str]) -> Floats:
+    def jacobian(self, outputs: OutputLike | Sequence[OutputLike], parameters: str | Sequence[str]) -> Floats:
         """(outputs, parameters): exact derivatives, all of them from one pass over the factor."""
-        asked = [self._chosen(output, None, None, None, None, {}) for output in outputs]
-        values = self._kept_analysis().derivatives(self._solved, asked, list(parameters))
-        return np.array(values).reshape(len(asked), len(parameters))
+        of = [outputs] if isinstance(outputs, (str, _core.Output)) else outputs
+        asked = [self._chosen(output, None, None, None, None, {}) for output in of]
+        names = [parameters] if isinstance(parameters, str) else list(parameters)
+        values = self._kept_analysis().derivatives(self._solved, asked, names)
+        return np.array(values).reshape(len(asked), len(names))
 
     def _kept_analysis(self) -> _core.Analysis:
         if self._analysis is None:
@@ -156,10 +163,14 @@ class Solution(States):
 
     def _chosen(self, output: OutputLike, at: At, reduce: str | None, case: str | None,
                 bond: int | Sequence[int] | None, where: dict[str, Quantity]) -> _core.Output:
+        asks_itself = at is not None or bool(reduce or case or where) or bond is not None
         if isinstance(output, _core.Output):
+            if asks_itself:
+                raise InputError(f"{output!r} says itself which particles are meant\n    cure: leave out at, reduce, case, "
+                                 "bond and places, or name the quantity in place of the Output")
             return output
         for known in self.model.outputs:
-            if known.name == output:
+            if known.name == output and not asks_itself:
                 return known
         return self._asked(output, at, reduce, case, bond, where)
 
