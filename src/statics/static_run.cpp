@@ -137,8 +137,10 @@ StaticSolution StaticRun::solve(bool keep) {
   Stopwatch timed(report.phases, options_.progress);
   const bool again = std::exchange(kept_, false);
   report.threads_asked = options_.threads > 0 ? options_.threads : cores_at_hand();
-  report.threads = options_.yield_cores ? threads_worth_having(report.threads_asked) : report.threads_asked;
-  threads_ = report.threads;
+  // Looking takes as long as a small solve: those that go on keep what the first one found.
+  if (!again)
+    threads_ = options_.yield_cores ? threads_worth_having(report.threads_asked) : report.threads_asked;
+  report.threads = threads_;
   report.solver = options_.solver == "auto" ? available_solvers().front().name : options_.solver;
 
   // 1. What each bond is: C, contact point, section.
