@@ -18,8 +18,8 @@ std::string number(double value, const char* format = "{:.10g}") {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(format), value);
 }
 
-Table parameter_table(const CalibrationProblem& problem, const CalibrationResult& result) {
-  Table table{{{"parameter", "value", "95 % from", "to", "bounds"}}, {false, true, true, true, false}};
+TextTable parameter_table(const CalibrationProblem& problem, const CalibrationResult& result) {
+  TextTable table{{{"parameter", "value", "95 % from", "to", "bounds"}}, {false, true, true, true, false}};
   for (std::size_t p = 0; p < result.parameters.size(); ++p) {
     const CalibratedParameter& found = result.parameters[p];
     const CalibrationParameter& asked = problem.parameters[p];
@@ -35,14 +35,14 @@ std::string in_tolerances(double residual) {
   return fmt::format("{:.3f}", std::abs(residual) < 5e-4 ? 0.0 : residual);
 }
 
-void drop_column(Table& table, std::size_t column) {
+void drop_column(TextTable& table, std::size_t column) {
   for (auto& row : table.rows) row.erase(row.begin() + std::ptrdiff_t(column));
   table.right.erase(table.right.begin() + std::ptrdiff_t(column));
 }
 
-Table target_table(const CalibrationProblem& problem, const CalibrationResult& result) {
+TextTable target_table(const CalibrationProblem& problem, const CalibrationResult& result) {
   const bool measured = !std::isnan(problem.targets.front().tolerance);
-  Table table{
+  TextTable table{
       {{"target", "test", "wanted", "achieved", "difference", measured ? "in tolerances" : "relative"}},
       {false, false, true, true, true, true}};
   for (const AchievedTarget& target : result.targets) {
@@ -57,9 +57,9 @@ Table target_table(const CalibrationProblem& problem, const CalibrationResult& r
 }
 
 /// Empty where it would fill the terminal, or says nothing.
-Table correlation_table(const CalibrationResult& result) {
+TextTable correlation_table(const CalibrationResult& result) {
   constexpr std::size_t most = 8;
-  Table table;
+  TextTable table;
   const std::size_t count = result.parameters.size();
   if (count < 2 || count > most || result.correlation.rows() != Index(count)) return table;
   Index told = 0;  // of the pairs; where the tests cannot tell, there is none
@@ -79,9 +79,9 @@ Table correlation_table(const CalibrationResult& result) {
   return table;
 }
 
-Table scatter_table(const CalibrationResult& result) {
-  Table table{{{"scatter of", "tests", "mean", "standard deviation", "relative"}},
-              {false, true, true, true, true}};
+TextTable scatter_table(const CalibrationResult& result) {
+  TextTable table{{{"scatter of", "tests", "mean", "standard deviation", "relative"}},
+                  {false, true, true, true, true}};
   for (const OutputScatter& of : scatter_of(result))
     table.rows.push_back({of.output, std::to_string(of.tests), number(of.mean),
                           fmt::format("{:.3e}", of.deviation),
@@ -114,7 +114,7 @@ std::string solves_text(const CalibrationResult& result) {
   return text;
 }
 
-void add_row(Table& table, const char* name, const std::string& text) {
+void add_row(TextTable& table, const char* name, const std::string& text) {
   constexpr int indent = 19;  // two blanks, the longest name, two blanks
   if (!text.empty()) table.rows.push_back({name, wrapped(text, indent)});
 }
@@ -162,10 +162,10 @@ std::string calibration_report(const CalibrationProblem& problem, const Calibrat
           "\n\n";
   text += to_text(parameter_table(problem, result), 2) + "\n";
   text += to_text(target_table(problem, result), 2) + "\n";
-  for (const Table& table : {correlation_table(result), scatter_table(result)})
+  for (const TextTable& table : {correlation_table(result), scatter_table(result)})
     if (table.rows.size() > 1) text += to_text(table, 2) + "\n";
 
-  Table last;
+  TextTable last;
   for (const Unidentified& one : result.unidentified) add_row(last, "not told apart", one.sentence);
   add_row(last, "singular values", singular_text(result));
   add_row(last, "solved", solves_text(result));

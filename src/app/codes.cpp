@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string text_of(const BondCode& code) {
-  Table stored;
+  TextTable stored;
   for (const CodeParameter& parameter : code.stored) {
     const std::string unit = si_unit(parameter.dimension);
     stored.rows.push_back({parameter.name,

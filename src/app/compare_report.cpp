@@ -31,17 +31,17 @@ std::string place_of(const Case& given, const FieldComparison& field) {
                        : fmt::format("particle {}", given.model.particles[at].id);
 }
 
-Table field_table(const Case& given, const Comparison& c) {
-  Table table{{{"relative difference", "norm", "largest", "best-fit scale", "left then", "largest at"}},
-              {false, true, true, true, true, false}};
+TextTable field_table(const Case& given, const Comparison& c) {
+  TextTable table{{{"relative difference", "norm", "largest", "best-fit scale", "left then", "largest at"}},
+                  {false, true, true, true, true, false}};
   for (const FieldComparison& field : c.fields)
     table.rows.push_back({field.field, share(field.difference), share(field.largest), scale_text(field.scale),
                           share(field.misfit), place_of(given, field)});
   return table;
 }
 
-Table worst_table(const Case& given, const Comparison& c) {
-  Table table{{{"particle", "static", "run", "difference"}}, {true, false, false, true}};
+TextTable worst_table(const Case& given, const Comparison& c) {
+  TextTable table{{{"particle", "static", "run", "difference"}}, {true, false, false, true}};
   for (const WorstParticle& one : c.worst) {
     const Vector3 statics = one.statics.head<3>(), run = one.run.head<3>();
     table.rows.push_back({std::to_string(given.model.particles[std::size_t(one.particle)].id),
@@ -51,7 +51,7 @@ Table worst_table(const Case& given, const Comparison& c) {
   return table;
 }
 
-void add_row(Table& table, const char* name, const std::string& text) {
+void add_row(TextTable& table, const char* name, const std::string& text) {
   if (!text.empty()) table.rows.push_back({name, wrapped(text, 12)});
 }
 
@@ -81,8 +81,8 @@ std::string ids_text(const std::vector<Index>& ids, const std::string& what) {
   return text + (ids.size() > most ? " ..." : "");
 }
 
-Table suspect_table(const Comparison& c) {
-  Table table{{{"left", "if the run has"}}, {true, false}};
+TextTable suspect_table(const Comparison& c) {
+  TextTable table{{{"left", "if the run has"}}, {true, false}};
   for (const Suspect& suspect : c.suspects) table.rows.push_back({share(suspect.left), suspect.text});
   return table;
 }
@@ -94,8 +94,8 @@ std::string difference_of(const Comparison& c, const std::string& name) {
   return "";
 }
 
-Table series_table(const std::vector<Comparison>& steps) {
-  Table table{{{"step"}}, {}};
+TextTable series_table(const std::vector<Comparison>& steps) {
+  TextTable table{{{"step"}}, {}};
   for (const FieldComparison& field : steps.back().fields) table.rows.front().push_back(field.field);
   table.rows.front().push_back("verdict");
   table.right.assign(table.rows.front().size() - 1, true);
@@ -124,7 +124,7 @@ std::string comparison_report(const Case& given, const StaticReport& solved,
   if (!c.suspects.empty()) text += to_text(suspect_table(c), 2) + "\n";
   text += to_text(worst_table(given, c), 2) + "\n";
 
-  Table last;
+  TextTable last;
   add_row(last, "carried", carried_text(c.unbalance));
   add_row(last, "movement", movement_text(c.unbalance));
   add_row(last, "missing", ids_text(c.missing, "of the case not in the run"));

@@ -22,10 +22,10 @@ std::string vector_text(const Vector3& value) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", value.x(), value.y(), value.z());
 }
 
-Table facts_table(const ImportReport& report) {
+TextTable facts_table(const ImportReport& report) {
   const ForeignModel& model = report.imported.model;
   const PackingFacts& facts = report.facts;
-  Table table;
+  TextTable table;
   table.rows.push_back({"format", model.format});
   table.rows.push_back(
       {"packing", fmt::format("{}, {}{}", counted(Index(model.particles.size()), "particle"),

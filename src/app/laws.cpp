@@ -64,7 +64,7 @@ std::string alternatives_text(const Alternatives& alternatives) {
 }
 
 std::string text_of(const BondLaw& law) {
-  Table parameters{{}, {}};
+  TextTable parameters{{}, {}};
   for (const Parameter& parameter : law.parameters) {
     const std::string unit = si_unit(parameter.dimension);
     parameters.rows.push_back({parameter.name, unit.empty() ? "-" : unit, bounds_text(parameter),

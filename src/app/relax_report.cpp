@@ -45,7 +45,7 @@ std::vector<std::string> energy_row(const RelaxedCase& run) {
                       e.strain, e.work, e.dissipated, e.kinetic, e.balance())};
 }
 
-void add_advice(const Case& given, const RelaxedCase& run, Table& table) {
+void add_advice(const Case& given, const RelaxedCase& run, TextTable& table) {
   const DynamicPlan& plan = run.plan;
   table.rows.push_back(
       {"time step", fmt::format("{} = {:.3g} of the critical {}, highest frequency {:.4g} rad per time",
@@ -74,8 +74,8 @@ std::string share(double value) {
   return std::isnan(value) ? "" : fmt::format("{:.1e}", value);
 }
 
-Table difference_table(const Case& given, const CaseCertificate& one, bool finite) {
-  Table table{{{"relative difference", "largest", "norm"}}, {false, true, true, true, true, true}};
+TextTable difference_table(const Case& given, const CaseCertificate& one, bool finite) {
+  TextTable table{{{"relative difference", "largest", "norm"}}, {false, true, true, true, true, true}};
   const bool third = std::any_of(one.fields.begin(), one.fields.end(),
                                  [](const FieldDifference& field) { return !std::isnan(field.third_order); });
   if (finite) table.rows.front().insert(table.rows.front().end(), {"first order", "second order"});
@@ -151,12 +151,12 @@ std::string relaxation_report(const Case& given, const Relaxation& relaxation,
   text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(outputs, false);
   for (const RelaxedCase& relaxed : relaxation.cases) {
     text += relaxed.state.name.empty() ? "\n" : fmt::format("\n  {}\n", relaxed.state.name);
-    Table table;
+    TextTable table;
     table.rows = {run_row(given, relaxed), rest_row(given, relaxed), energy_row(relaxed)};
     add_advice(given, relaxed, table);
     text += to_text(table, 2);
   }
-  Table last;
+  TextTable last;
   if (!relaxation.dropped.empty()) last.rows.push_back({"left out", dropped_text(relaxation.dropped)});
   if (!written.empty()) last.rows.push_back({"written", written});
   if (!last.rows.empty()) text += "\n" + to_text(last, 2);
@@ -170,7 +170,7 @@ std::string certificate_report(const Case& given, const Certificate& certificate
   for (const CaseCertificate& one : certificate.cases) {
     text += one.name.empty() ? "\n" : fmt::format("\n  {}\n", one.name);
     text += to_text(difference_table(given, one, finite), 2) + "\n";
-    Table table;
+    TextTable table;
     table.rows = {
         {"verdict", bold(verdict(given, one, certificate.tolerance), stdout)},
         {"static",

@@ -36,8 +36,8 @@ std::string counted(Index count, const std::string& what) {
 }
 
 std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) {
-  Table table{{{"output", "value", "expected", "relative error", "source"}},
-              {false, true, true, true, false}};
+  TextTable table{{{"output", "value", "expected", "relative error", "source"}},
+                  {false, true, true, true, false}};
   for (const OutputValue& output : outputs) {
     std::vector<std::string> row{output.name, fmt::format("{:.10g}", output.value), "", "", ""};
     if (output.expected) {
@@ -62,8 +62,8 @@ namespace {
 
 /// Nothing where nothing was asked for.
 std::string sensitivities_table(const Model& model, const std::vector<OutputValue>& outputs) {
-  Table table{{{"sensitivity of", "to", "of bonds", "value", "derivative", "% per %"}},
-              {false, false, false, true, true, true}};
+  TextTable table{{{"sensitivity of", "to", "of bonds", "value", "derivative", "% per %"}},
+                  {false, false, false, true, true, true}};
   for (const OutputValue& output : outputs)
     for (const ParameterSensitivity& of : output.sensitivities)
       table.rows.push_back({output.name, of.parameter,
@@ -78,8 +78,8 @@ std::string sensitivities_table(const Model& model, const std::vector<OutputValu
 
 std::string displacement_table(const std::vector<const State*>& states,
                                const std::vector<LargestDisplacement>& largest) {
-  Table table{{{"load case", "largest displacement", "particle", "ux", "uy", "uz", "energy"}},
-              {false, true, true, true, true, true, true}};
+  TextTable table{{{"load case", "largest displacement", "particle", "ux", "uy", "uz", "energy"}},
+                  {false, true, true, true, true, true, true}};
   for (std::size_t c = 0; c < states.size(); ++c) {
     if (!largest[c].particle) continue;
     const State& state = *states[c];
@@ -95,8 +95,8 @@ std::string displacement_table(const std::vector<const State*>& states,
 namespace {
 
 std::string effective_text(const EffectiveStiffness& effective) {
-  Table table{{{"effective stiffness", "xx", "yy", "zz", "yz", "xz", "xy"}},
-              {false, true, true, true, true, true, true}};
+  TextTable table{{{"effective stiffness", "xx", "yy", "zz", "yz", "xz", "xy"}},
+                  {false, true, true, true, true, true, true}};
   for (int i = 0; i < 6; ++i) {
     std::vector<std::string> row{table.rows.front()[std::size_t(i) + 1]};
     const double noise = 1e-12 * effective.stiffness.cwiseAbs().maxCoeff();
@@ -107,7 +107,7 @@ std::string effective_text(const EffectiveStiffness& effective) {
     table.rows.push_back(std::move(row));
   }
   const IsotropicFit bound = isotropic_fit(effective.voigt), &fit = effective.isotropic;
-  Table lines;
+  TextTable lines;
   lines.rows.push_back({"isotropic", fmt::format("E = {:.7g}, nu = {:.7g}, misfit {:.2g} %", fit.young,
                                                  fit.poisson, 100 * fit.misfit)});
   lines.rows.push_back(
@@ -148,12 +148,12 @@ std::string threads(const StaticReport& report) {
 }
 
 /// What the solve took and how good it is, a line each.
-Table facts(const StaticSolution& solution) {
+TextTable facts(const StaticSolution& solution) {
   const StaticReport& report = solution.report;
   const Accuracy worst = worst_accuracy(solution);
   double seconds = 0;
   for (const Phase& phase : report.phases) seconds += phase.seconds;
-  Table table;
+  TextTable table;
   table.rows.push_back(
       {"accuracy",
        fmt::format("relative error at most {:.1e} (backward error {:.1e}, refined {})", worst.forward_error,
@@ -198,7 +198,7 @@ std::string report(const Case& given, const ModelFacts& model, const Answer& ans
   text += given.outputs.empty() ? displacement_table(states, largest) : outputs_table(answer.outputs);
   text += sensitivities_table(given.model, answer.outputs);
   if (answer.solution.effective) text += "\n" + effective_text(*answer.solution.effective);
-  Table lines = facts(answer.solution);
+  TextTable lines = facts(answer.solution);
   for (const std::string& line : resolution_texts(answer.resolution))
     lines.rows.push_back({"bond law", wrapped(line, 12)});
   if (!files.empty())

@@ -35,7 +35,7 @@ ExitCode solvers(bool json) {
     fmt::print("{}\n", list.dump(2));
     return ExitCode::done;
   }
-  Table table;
+  TextTable table;
   for (const SolverInfo& solver : available) table.rows.push_back({solver.name, solver.description});
   fmt::print("{}", to_text(table, 0));
   return ExitCode::done;

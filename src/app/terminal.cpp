@@ -37,7 +37,7 @@ std::string red(const std::string& text, std::FILE* stream) {
   return styled(text, "31", stream);
 }
 
-std::string to_text(const Table& table, int indent) {
+std::string to_text(const TextTable& table, int indent) {
   std::vector<std::size_t> widths;
   for (const auto& row : table.rows) {
     widths.resize(std::max(widths.size(), row.size()));

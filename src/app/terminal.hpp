@@ -15,11 +15,11 @@ std::string red(const std::string& text, std::FILE* stream);
 
 /// Columns as wide as their widest cell, two blanks apart, `indent` blanks before each line. The last column
 /// is not padded. `right` columns are flush right (numbers).
-struct Table {
+struct TextTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> right;
 };
-std::string to_text(const Table& table, int indent);
+std::string to_text(const TextTable& table, int indent);
 
 /// Lines of at most 100 characters, broken at blanks; all but the first are indented.
 std::string wrapped(const std::string& text, int indent);

@@ -43,7 +43,7 @@ std::string carried(const BlockFit& fit) {
 std::string block_text(const Case& given, std::size_t block, const BondCode& code, const BlockFit& fit) {
   std::string text =
       fmt::format("bonds.{} ({}), {}\n", block, given.model.blocks[block].law, counted(fit.bonds, "bond"));
-  Table values{{}, {false, true, false, false}};
+  TextTable values{{}, {false, true, false, false}};
   for (std::size_t p = 0; p < code.stored.size(); ++p)
     values.rows.push_back({code.stored[p].name, value_text(code.stored[p], fit.lowest[p], fit.highest[p]),
                            given.si ? si_unit(code.stored[p].dimension) : "", code.stored[p].input});
@@ -74,9 +74,9 @@ std::string fields_text(const Case& given, const TranslationEffects& effects, bo
   std::string text = "relative change of the answer with the code's contact point, its stiffness, both\n";
   if (departs)
     text += "(the code's own change is another: what it does beyond this, see above, is not counted)\n";
-  Table table{{{"", "contact point", "", "stiffness", "", "both", "", ""},
-               {"", "norm", "largest", "norm", "largest", "norm", "largest", "largest at"}},
-              {false, true, true, true, true, true, true, false}};
+  TextTable table{{{"", "contact point", "", "stiffness", "", "both", "", ""},
+                   {"", "norm", "largest", "norm", "largest", "norm", "largest", "largest at"}},
+                  {false, true, true, true, true, true, true, false}};
   for (std::size_t c = 0; c < effects.load_cases.size(); ++c) {
     if (!effects.load_cases[c].empty()) table.rows.push_back({effects.load_cases[c]});
     for (std::size_t f = 0; f < effects.both.fields[c].size(); ++f) {
@@ -97,8 +97,8 @@ double relative_change(double here, double there) {
 
 std::string outputs_text(const TranslationEffects& effects) {
   if (effects.outputs.empty()) return "";
-  Table table{{{"output", "as it is", "contact point", "stiffness", "both", "relative change"}},
-              {false, true, true, true, true, true}};
+  TextTable table{{{"output", "as it is", "contact point", "stiffness", "both", "relative change"}},
+                  {false, true, true, true, true, true}};
   for (std::size_t i = 0; i < effects.outputs.size(); ++i) {
     const double here = effects.outputs[i].value, there = effects.both.outputs[i].value;
     table.rows.push_back({effects.outputs[i].name, fmt::format("{:.10g}", here),
@@ -127,9 +127,9 @@ std::string translation_report(const Case& given, const Translation& translation
     text += fields_text(given, *effects, departs) + outputs_text(*effects);
   else
     text += "nothing acts on the model: no answer to compare\n";
-  Table notes{{{"rule", wrapped(code.fit, 17)},
-               {"contact point", wrapped(code.contact_point_text + " (" + code.known_from + ")", 17)}},
-              {}};
+  TextTable notes{{{"rule", wrapped(code.fit, 17)},
+                   {"contact point", wrapped(code.contact_point_text + " (" + code.known_from + ")", 17)}},
+                  {}};
   for (const std::string& remark : code.remarks) notes.rows.push_back({"mind", wrapped(remark, 17)});
   if (!written.empty())
     notes.rows.push_back({"written", wrapped(fmt::format("{}", fmt::join(written, ", ")), 17)});

@@ -4,7 +4,7 @@
 
 namespace bondstatic {
 
-BondRows bond_rows(const Model& model) {
+UnbranchedRows bond_rows(const Model& model) {
   const auto bonds = model.bonds.size();
   std::vector<Index> at(model.particles.size()), last(model.particles.size(), -1);
   for (const Bond& bond : model.bonds)
@@ -21,7 +21,7 @@ BondRows bond_rows(const Model& model) {
 
   std::vector<Index> size(bonds);
   for (std::size_t k = 0; k < bonds; ++k) ++size[std::size_t(rows.find(Index(k)))];
-  BondRows out{std::vector<Index>(bonds), std::vector<bool>(bonds)};
+  UnbranchedRows out{std::vector<Index>(bonds), std::vector<bool>(bonds)};
   for (std::size_t k = 0; k < bonds; ++k) {
     out.length[k] = size[std::size_t(rows.find(Index(k)))];
     out.unbranched[k] = at[std::size_t(model.bonds[k].a)] <= 2 && at[std::size_t(model.bonds[k].b)] <= 2;

@@ -9,10 +9,10 @@
 namespace bondstatic {
 
 /// Of each bond of the model, in its order.
-struct BondRows {
+struct UnbranchedRows {
   std::vector<Index> length;     ///< bonds of its row, itself included
   std::vector<bool> unbranched;  ///< at most two bonds meet at either end
 };
-BondRows bond_rows(const Model& model);
+UnbranchedRows bond_rows(const Model& model);
 
 }  // namespace bondstatic

@@ -80,7 +80,7 @@ Index coarse_bonds(const std::vector<double>& errors) {
 struct Beams {
   const Model& model;
   const std::vector<BondProperties>& properties;
-  const BondRows& rows;
+  const UnbranchedRows& rows;
   double poisson = 0;              ///< assumed
   std::vector<std::size_t> bonds;  ///< positions in the model
   std::vector<bool> assumed;       ///< by position here: nu
@@ -167,7 +167,7 @@ std::vector<BlockResolution> resolution_of(const Model& model, int threads, doub
   std::vector<BlockResolution> out;
   if (std::none_of(model.blocks.begin(), model.blocks.end(), is_known)) return out;
   const std::vector<BondProperties> properties = bond_properties(model, threads);
-  const BondRows rows = bond_rows(model);
+  const UnbranchedRows rows = bond_rows(model);
   std::vector<Beams> blocks(model.blocks.size(), {model, properties, rows, poisson, {}, {}});
   std::vector<std::optional<PoissonGiven>> known(model.blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b)

@@ -33,7 +33,7 @@ EffectiveStiffness effective_of(const std::vector<LoadCaseResult>& cases) {
   return effective;
 }
 
-void settle(const Model& model, Answer& answer) {
+void settle(const Model& model, AnswerWithSections& answer) {
   for (LoadCaseResult& one : answer.solution.cases) {
     one.work = 2 * one.energy;
     for (std::size_t k = 0; k < model.bonds.size(); ++k)
@@ -44,10 +44,10 @@ void settle(const Model& model, Answer& answer) {
 
 }  // namespace
 
-Answer random_answer(const Model& model, std::mt19937_64& random, Index left_out) {
+AnswerWithSections random_answer(const Model& model, std::mt19937_64& random, Index left_out) {
   std::uniform_real_distribution<double> number(-1, 1);
   const auto vector = [&] { return Vector6(Vector6::NullaryExpr([&] { return number(random); })); };
-  Answer answer;
+  AnswerWithSections answer;
   for (int c = 0; c < 6; ++c) {
     LoadCaseResult one;
     one.name = std::string(1, char('a' + c));
@@ -79,8 +79,9 @@ Answer random_answer(const Model& model, std::mt19937_64& random, Index left_out
   return answer;
 }
 
-Answer moved(const Model& model, const Answer& answer, const Answer& direction, double step) {
-  Answer changed = answer;
+AnswerWithSections moved(const Model& model, const AnswerWithSections& answer,
+                         const AnswerWithSections& direction, double step) {
+  AnswerWithSections changed = answer;
   for (std::size_t c = 0; c < answer.solution.cases.size(); ++c) {
     LoadCaseResult& one = changed.solution.cases[c];
     const LoadCaseResult& along = direction.solution.cases[c];
@@ -101,7 +102,7 @@ Answer moved(const Model& model, const Answer& answer, const Answer& direction, 
   return changed;
 }
 
-Change applied(const Functionals& functionals, const Answer& direction) {
+Change applied(const Functionals& functionals, const AnswerWithSections& direction) {
   Change change;
   const auto add = [&](double part) { change.value += part, change.magnitude += std::abs(part); };
   for (const Functional& functional : functionals) {

@@ -12,22 +12,23 @@ namespace bondstatic::test {
 
 /// An answer, and the section radii that its stresses are taken at. What follows from other fields
 /// (normal_force ... tau, work, the effective stiffness) is filled in by settle().
-struct Answer {
+struct AnswerWithSections {
   StaticSolution solution;
   std::vector<BondProperties> properties;
 };
 
 /// Random in all fields, about 1, displacements stretched along all axes; six load cases whose strains are
 /// independent. The particle `left_out` is left out of all but the first load case.
-Answer random_answer(const Model& model, std::mt19937_64& random, Index left_out);
+AnswerWithSections random_answer(const Model& model, std::mt19937_64& random, Index left_out);
 
 /// answer + step * direction, field by field.
-Answer moved(const Model& model, const Answer& answer, const Answer& direction, double step);
+AnswerWithSections moved(const Model& model, const AnswerWithSections& answer,
+                         const AnswerWithSections& direction, double step);
 
 /// What the functionals say that the change along `direction` is, and the sum of the magnitudes of its parts.
 struct Change {
   double value = 0, magnitude = 0;
 };
-Change applied(const Functionals& functionals, const Answer& direction);
+Change applied(const Functionals& functionals, const AnswerWithSections& direction);
 
 }  // namespace bondstatic::test

@@ -66,8 +66,8 @@ std::vector<Output> ways(const Quantity& quantity, const Model& model) {
 struct WithAnswer {
   std::mt19937_64 random{11};
   const Model model = random_packing(random, 3, block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}}));
-  const Answer answer = random_answer(model, random, left_out),
-               direction = random_answer(model, random, left_out);
+  const AnswerWithSections answer = random_answer(model, random, left_out),
+                           direction = random_answer(model, random, left_out);
 
   double value(const Output& output, double step) const {
     const StaticSolution there = moved(model, answer, direction, step).solution;
@@ -202,7 +202,7 @@ TEST(LineariseRefuses, WhatIsZeroButForRounding) {
 TEST(LineariseRefuses, TheMisfitOfAnIsotropicStiffness) {
   std::mt19937_64 random(1);
   const Model model = hand_made_model();
-  Answer answer = random_answer(model, random, 3);
+  AnswerWithSections answer = random_answer(model, random, 3);
   Matrix6& stiffness = answer.solution.effective->stiffness;
   stiffness.setZero();
   stiffness.topLeftCorner<3, 3>().setConstant(2.0 / 3);

@@ -262,14 +262,14 @@ TEST(Spreads, AreValuesOfSingleBondsByRank) {
   EXPECT_EQ(lambda.largest, 5);
 }
 
-TEST(BondRows, EndWhereBondsBranch) {
+TEST(UnbranchedRows, EndWhereBondsBranch) {
   // 0-1-2-3 with 3-4 and 3-5-6, and a ring 7-8-9
   Model model;
   for (int p = 0; p < 10; ++p) add_particle(model, Vector3(p, p * p, 0), 0.1);
   const std::pair<Index, Index> pairs[] = {{0, 1}, {2, 1}, {2, 3}, {3, 4}, {3, 5},
                                            {6, 5}, {7, 8}, {8, 9}, {9, 7}};
   for (const auto& [a, b] : pairs) add_bond(model, a, b);
-  const BondRows rows = bond_rows(model);
+  const UnbranchedRows rows = bond_rows(model);
   EXPECT_THAT(rows.length, ElementsAre(3, 3, 3, 1, 2, 2, 3, 3, 3));
   EXPECT_THAT(rows.unbranched, ElementsAre(true, true, false, false, false, true, true, true, true));
 }
