@@ -7,6 +7,7 @@
 #include "app/interrupt.hpp"
 #include "app/status_line.hpp"
 #include "bondstatic/calibration.hpp"
+#include "calibration/ceres_module.hpp"
 #include "io/file_set.hpp"
 #include "io/nearest_name.hpp"
 #include "results/result_set.hpp"
@@ -61,6 +62,7 @@ void write(const CalibrationProblem& problem, const CalibrationResult& result,
 }  // namespace
 
 ExitCode calibrate(const SolveArguments& arguments) {
+  ceres_module();  // where it is not there, nothing is read in vain
   StatusLine status;
   status.show("read");
   CalibrationProblem problem = read_problem(arguments);

@@ -10,7 +10,7 @@
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
 #include "app/terminal.hpp"
-#include "compare/match.hpp"
+#include "compare/read_run.hpp"
 #include "formats/readers.hpp"
 #include "io/nearest_name.hpp"
 #include "results/comparison.hpp"
@@ -59,64 +59,23 @@ void check_choices(const CompareArguments& arguments) {
     misused("--step and --every-step exclude each other", "give one");
   if (arguments.bonds.empty() && (!arguments.bond_columns.empty() || !arguments.bond_force.empty()))
     misused("--bond-columns and --bond-force say what the columns of --bonds are", "give --bonds FILE, too");
-  if (!arguments.bond_force.empty() && arguments.bond_force.size() != 3 && arguments.bond_force.size() != 6)
-    misused(fmt::format("--bond-force names {} columns", arguments.bond_force.size()),
-            "give three for the force, or six for force and moment: --bond-force FX,FY,FZ");
   if (!(arguments.tolerance > 0)) misused("--tolerance must be positive", "give 1e-3, for one");
-}
-
-BondForceColumns columns_of(const CompareArguments& arguments) {
-  BondForceColumns columns;
-  for (std::size_t i = 0; i < arguments.bond_force.size(); ++i)
-    (i < 3 ? columns.force : columns.moment)[i % 3] = arguments.bond_force[i];
-  if (arguments.bond_force.size() == 3) columns.moment = {};
-  return columns;
-}
-
-[[noreturn]] void refuse(std::vector<Fault> faults) {
-  throw InputError(std::move(faults));
 }
 
 std::vector<std::optional<Index>> steps_of(const CompareArguments& arguments) {
   if (!arguments.every_step) return {arguments.step};
   std::vector<Fault> faults;
   const auto steps = dump_steps(arguments.run, {}, faults);
-  if (!faults.empty() || !steps) refuse(std::move(faults));
+  if (!faults.empty() || !steps) throw InputError(std::move(faults));
   return {steps->begin(), steps->end()};
-}
-
-RunState state_at(const Model& model, const State& statics, const CompareArguments& arguments,
-                  std::optional<Index> step) {
-  ReadOptions options;
-  options.step = step;
-  std::vector<Fault> faults;
-  const auto read = read_particle_state(arguments.run, options, {}, faults);
-  if (!faults.empty() || !read) refuse(std::move(faults));
-  auto run = match_particles(model, statics, *read, arguments.run, faults);
-  if (!run) refuse(std::move(faults));
-  return std::move(*run);
-}
-
-/// Of the step that the particles are of; a file of one step is taken as it is.
-void read_bonds(const Model& model, const State& statics, const CompareArguments& arguments,
-                std::optional<Index> step, RunState& run) {
-  ReadOptions options;
-  options.step = step;
-  options.bond_columns = arguments.bond_columns;
-  std::vector<Fault> faults;
-  const auto read = read_bond_state(arguments.bonds, options, {}, faults);
-  if (!faults.empty() || !read) refuse(std::move(faults));
-  if (read->step != run.step)
-    run.notes.push_back(
-        fmt::format("The bonds are of step {}, the particles of step {}.", read->step, run.step));
-  match_bonds(model, statics, *read, columns_of(arguments), arguments.bonds, run, faults);
-  if (!faults.empty()) refuse(std::move(faults));
 }
 
 }  // namespace
 
 ExitCode compare(const CompareArguments& arguments) {
   check_choices(arguments);
+  const BondForceFile bonds{arguments.bonds, arguments.bond_columns,
+                            bond_force_columns(arguments.bond_force)};
   const SolveArguments& asked = arguments.solve;
   StatusLine status;
   status.show("read");
@@ -135,8 +94,8 @@ ExitCode compare(const CompareArguments& arguments) {
   for (const auto& step : wanted) {
     const bool last = steps.size() + 1 == wanted.size();
     status.show(fmt::format("compare {} of {}", steps.size() + 1, wanted.size()));
-    run = state_at(given.model, statics, arguments, step);
-    if (last && !arguments.bonds.empty()) read_bonds(given.model, statics, arguments, arguments.step, run);
+    run = read_run(given.model, statics, arguments.run, step);
+    if (last && !bonds.file.empty()) read_bond_forces(given.model, statics, bonds, arguments.step, run);
     steps.push_back(compare(given.model, statics, 0, run, given.solve, {arguments.tolerance, last}));
   }
 

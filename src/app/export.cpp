@@ -102,13 +102,17 @@ void complete_densities(Model& model, std::vector<std::string>& remarks) {
 }
 
 /// The relaxed state as tables of this project, whatever the format: positions, orientations and what
-/// particles and bonds carry.
+/// particles and bonds carry. Displacements are called disp_x, not ux: x has them already
+/// (formats/table/foreign_table.hpp).
 void write_relaxed_tables(const ExportInput& input, FileSet& files, ExportNotes& notes) {
   const Model& model = input.model;
   std::vector<Column> columns = particle_columns(model, *input.state);
   std::erase_if(columns, [](const Column& column) {
     return column.name == "x" || column.name == "y" || column.name == "z";
   });
+  for (Column& column : columns)
+    if (column.name == "ux" || column.name == "uy" || column.name == "uz")
+      column.name = std::string("disp_") + column.name[1];
   const auto count = Index(model.particles.size());
   const auto add = [&](const std::string& name, const std::function<double(std::size_t)>& value) {
     columns.push_back(
@@ -140,6 +144,9 @@ ExitCode export_case(const ExportArguments& arguments) {
   // 2. Bonds, the state at rest, and the numbers of a run.
   const int threads = given.solve.threads > 0 ? given.solve.threads : cores_at_hand();
   std::vector<std::string> remarks;
+  if (const auto& blocks = given.model.blocks;
+      std::any_of(blocks.begin(), blocks.end(), [](const BondBlock& b) { return b.strength.has_value(); }))
+    remarks.push_back("Strengths of bonds are not written: the exported bonds never break.");
   if (format.needs_run) complete_densities(given.model, remarks);
   const std::vector<BondProperties> properties = bond_properties(given.model, threads);
   StaticSolution solution;

@@ -43,25 +43,29 @@ class OwnBlocks {
 
 }  // namespace
 
+TranslatedBond translate(const BondCode& code, const BondSite& site, BondProperties wanted) {
+  const BondLaw& any = bond_laws().front();  // asked for a contact point of our choice
+  const double fraction = contact_fraction(code.contact_point, any, site);
+  if (wanted.stiffness.coupling != 0) {
+    wanted.stiffness = moved(wanted.stiffness, (fraction - wanted.fraction) * site.length);
+    wanted.fraction = fraction;
+  }
+  TranslatedBond out{wanted, code.stored_for(site, wanted), {}};
+  out.realised = code.realised(site, out.stored);
+  out.realised.fraction = fraction;
+  return out;
+}
+
 Translation translate(const Model& model, const BondCode& code, int threads) {
   Translation out{&code, std::vector<std::vector<double>>(code.stored.size()), {}, {}};
   out.wanted = bond_properties(model, threads);
   out.realised.resize(out.wanted.size());
   for (std::vector<double>& numbers : out.stored) numbers.resize(out.wanted.size());
-  const BondLaw& any = bond_laws().front();  // asked for a contact point of our choice
-  std::vector<double> own(code.stored.size());
   for (std::size_t k = 0; k < out.wanted.size(); ++k) {
-    const BondSite site = bond_site(model, model.bonds[k]);
-    const double fraction = contact_fraction(code.contact_point, any, site);
-    BondProperties& wanted = out.wanted[k];
-    if (wanted.stiffness.coupling != 0) {
-      wanted.stiffness = moved(wanted.stiffness, (fraction - wanted.fraction) * site.length);
-      wanted.fraction = fraction;
-    }
-    own = code.stored_for(site, wanted);
-    for (std::size_t p = 0; p < own.size(); ++p) out.stored[p][k] = own[p];
-    out.realised[k] = code.realised(site, own);
-    out.realised[k].fraction = fraction;
+    const TranslatedBond bond = translate(code, bond_site(model, model.bonds[k]), out.wanted[k]);
+    out.wanted[k] = bond.wanted;
+    out.realised[k] = bond.realised;
+    for (std::size_t p = 0; p < bond.stored.size(); ++p) out.stored[p][k] = bond.stored[p];
   }
   return out;
 }

@@ -16,6 +16,13 @@ struct Translation {
   std::vector<BondProperties> realised;  ///< what the code makes of the numbers, at its contact point
 };
 
+struct TranslatedBond {
+  BondProperties wanted;       ///< as in Translation
+  std::vector<double> stored;  ///< as BondCode::stored_for gives them
+  BondProperties realised;
+};
+TranslatedBond translate(const BondCode& code, const BondSite& site, BondProperties wanted);
+
 /// Throws what bond_properties throws.
 Translation translate(const Model& model, const BondCode& code, int threads = 1);
 

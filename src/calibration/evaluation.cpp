@@ -3,21 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bondstatic/bond_law.hpp"
 #include "bondstatic/error.hpp"
 #include "results/linearise.hpp"
+#include "solver/cost_model.hpp"
 
 namespace bondstatic {
 
 using Eigen::Index;
 
 struct Evaluation::Running {
-  Running(const CalibrationTest& test) : given(test), model(test.model), analysis(model, test.solve) {}
+  Running(const CalibrationTest& test) : given(test), model(test.model) {}
 
   const CalibrationTest& given;
   Model model;  // with the parameters of the last evaluation
-  StaticAnalysis analysis;
+  std::optional<StaticAnalysis> analysis;
   StaticSolution solution;
   std::vector<Index> rows;
   std::vector<Output> outputs;  // of those rows
@@ -58,13 +60,26 @@ void Evaluation::warn(const std::string& warning) {
   if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end()) warnings_.push_back(warning);
 }
 
+StaticSolution Evaluation::first_solve(Running& test) try {
+  StaticOptions options = test.given.solve;
+  if (options.memory_limit > 0) options.memory_limit = std::max(1., options.memory_limit - kept_bytes_);
+  test.analysis.emplace(test.model, options);
+  StaticSolution solution = test.analysis->solve();
+  kept_bytes_ += solution.report.analysis.predicted_bytes;
+  return solution;
+} catch (const MemoryError& error) {
+  if (kept_bytes_ == 0) throw;
+  throw MemoryError(fmt::format("{}, with {} for the tests before it in memory: {}", test.given.name,
+                                size_text(kept_bytes_), error.what()));
+}
+
 void Evaluation::solve(Running& test, const std::vector<double>& values, Eigen::VectorXd& outputs) {
   for (std::size_t p = 0; p < test.given.parameters.size(); ++p)
     for (const BlockParameter& moved : test.given.parameters[p])
       test.model.blocks[std::size_t(moved.block)].parameters[moved.parameter] = values[p];
   check_together(test.model);
   ++solves_;
-  test.solution = test.analysis.solve();
+  test.solution = test.analysis ? test.analysis->solve() : first_solve(test);
   for (const std::string& warning : test.solution.report.warnings)
     warn(tests_.size() > 1 ? fmt::format("{}: {}", test.given.name, warning) : warning);
   const std::vector<OutputValue> found = evaluate_outputs(test.model, test.solution, test.outputs);
@@ -83,12 +98,12 @@ Eigen::MatrixXd Evaluation::derivatives() {
   for (const auto& test : tests_) {
     std::vector<Functionals> scalars;
     for (const Output& output : test->outputs)
-      scalars.push_back(linearise(output, test->model, test->solution, test->analysis.properties()));
-    const std::vector<BondGradients> gradients = test->analysis.gradients(scalars);
+      scalars.push_back(linearise(output, test->model, test->solution, test->analysis->properties()));
+    const std::vector<BondGradients> gradients = test->analysis->gradients(scalars);
     for (std::size_t p = 0; p < parameters; ++p)
       for (const BlockParameter& moved : test->given.parameters[p]) {
-        const ParameterDerivative bonds = bond_derivatives(test->model, moved.block, moved.parameter,
-                                                           std::max(1, test->solution.report.threads));
+        const ParameterDerivative bonds =
+            bond_derivatives(test->model, moved.block, moved.parameter, test->solution.report.threads);
         for (std::size_t i = 0; i < gradients.size(); ++i)
           found(test->rows[i], Index(p)) += derivative(gradients[i], bonds);
       }

@@ -31,6 +31,10 @@ class Evaluation {
 
  private:
   struct Running;  // one test
+
+  /// Every test keeps its factor. A memory limit holds for all of them together; without one, what the
+  /// machine has left is looked at when those before are there.
+  StaticSolution first_solve(Running& test);
   void solve(Running& test, const std::vector<double>& values, Eigen::VectorXd& outputs);
   void warn(const std::string& warning);
 
@@ -38,6 +42,7 @@ class Evaluation {
   std::vector<TargetRow> rows_;
   std::vector<std::string> warnings_;
   int solves_ = 0;
+  double kept_bytes_ = 0;  // by tests that were solved, predicted
 };
 
 }  // namespace bondstatic

@@ -39,16 +39,6 @@ std::string particles_block(const ForeignModel& model) {
   return text;
 }
 
-std::string cell_block(const Cell& cell) {
-  std::string periodic;
-  for (int i = 0; i < 3; ++i)
-    if (cell.periodic[std::size_t(i)])
-      periodic += fmt::format("{}\"{}\"", periodic.empty() ? "" : ", ", "xyz"[i]);
-  return fmt::format("\n[cell]\nedges = [{}, {}, {}]\norigin = {}\nperiodic = [{}]\n",
-                     toml_vector(cell.edges.col(0)), toml_vector(cell.edges.col(1)),
-                     toml_vector(cell.edges.col(2)), toml_vector(cell.origin), periodic);
-}
-
 /// The model's own groups that together are exactly the group; empty where none are.
 std::vector<std::string> made_of(const ForeignModel& model, const ForeignGroup& group) {
   if (model.group.empty()) return {};
@@ -178,7 +168,7 @@ std::string imported_case(const ForeignModel& model, const ForeignSetup& setup, 
   std::string text = fmt::format("# From {}: {}{}\ntitle = {}\n", plain(about.origin), plain(model.format),
                                  model.si ? "; SI units" : "", toml_text(plain(title)));
   text += particles_block(model);
-  if (model.cell) text += cell_block(*model.cell);
+  if (model.cell) text += toml_cell(*model.cell);
   for (const ForeignGroup& group : setup.groups) text += group_block(model, group);
   text += bonds_block(model, about);
   for (const ForeignSupport& support : setup.supports) text += support_block(support);

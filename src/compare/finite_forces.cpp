@@ -1,12 +1,12 @@
 #include "compare/finite_forces.hpp"
 
-#include "compare/turning.hpp"
+#include "model/turning.hpp"
 
 namespace bondstatic {
 
 namespace {
 
-/// Force and moment at the contact point, and the lever arms from the two centres to it.
+/// Lever arms from the two centres to where a bond holds them.
 struct Grip {
   Vector3 arm_a, arm_b;
 };

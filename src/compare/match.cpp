@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/turning.hpp"
+#include "model/turning.hpp"
 #include "io/id_table.hpp"
 #include "model/cell.hpp"
 

@@ -21,7 +21,6 @@ class Response {
   BodyVectors<double> to(const BodyVectors<double>& forces);
 
   const FreeDofs& dofs() const { return held_.dofs; }
-  const std::vector<bool>& left_out() const { return held_.left_out; }
   std::vector<Mode> lowest_modes(const BodyMasses& masses, Index count);
 
  private:

@@ -92,8 +92,10 @@ double support_deviation(const Model& model, const State& statics, const Boundar
 
 void judge(Comparison& c, const Evidence& evidence) {
   const double displacement = difference_of(c, "displacement"), rotation = difference_of(c, "rotation");
-  const std::string figures =
-      fmt::format("displacements differ by {:.2g}, rotations by {:.2g}", displacement, rotation);
+  const bool turns = std::any_of(c.fields.begin(), c.fields.end(),
+                                 [](const FieldComparison& one) { return one.field == "rotation"; });
+  const std::string figures = fmt::format("displacements differ by {:.2g}", displacement) +
+                              (turns ? fmt::format(", rotations by {:.2g}", rotation) : "");
   if (within_tolerance(c))
     return conclude(c, CompareVerdict::same_state, fmt::format("{}, tolerance {:g}", figures, c.tolerance));
 

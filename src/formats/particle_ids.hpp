@@ -1,4 +1,4 @@
-// Ids of particles as a file gives them: each once, and bonds only between those that there are.
+// Ids as a file gives them: each once.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace bondstatic {
 
-/// Positions by id; ids that are there twice are faults, appended at `line` of the second.
-IdTable table_of_ids(const std::vector<Index>& ids, const std::vector<int>& lines, const std::string& file,
-                     std::vector<Fault>& faults);
+/// Positions by id; ids that are there twice are faults, appended at the line of the second. `of`:
+/// "particle", "bond".
+IdTable table_of_ids(const std::string& of, const std::vector<Index>& ids, const std::vector<int>& lines,
+                     const std::string& file, std::vector<Fault>& faults);
 
 }  // namespace bondstatic

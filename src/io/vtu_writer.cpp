@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "io/base64.hpp"
+#include "io/xml_text.hpp"
 
 namespace bondstatic {
 
@@ -25,21 +26,6 @@ constexpr const char* vtk_type<Index> = "Int64";
 template <>
 constexpr const char* vtk_type<std::uint8_t> = "UInt8";
 
-std::string attribute_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
 template <class... T>
 void print(OutputFile& file, fmt::format_string<T...> format, T&&... values) {
   fmt::format_to(std::back_inserter(file.buffer()), format, std::forward<T>(values)...);
@@ -50,7 +36,7 @@ void print(OutputFile& file, fmt::format_string<T...> format, T&&... values) {
 template <class T, class At>
 void write_array(OutputFile& file, const std::string& name, int components, Index count, At at) {
   print(file, "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
-        vtk_type<T>, attribute_text(name), components);
+        vtk_type<T>, xml_text(name), components);
   constexpr Index header = sizeof(std::uint64_t), size = sizeof(T);
   write_base64(file, header + size * count, [&](Index begin, std::span<std::byte> into) {
     std::byte *out = into.data(), *const end = out + into.size();
@@ -86,7 +72,7 @@ void write_ghosts(OutputFile& file, const LineGrid& grid) {
 template <class T>
 void declare_array(OutputFile& file, const std::string& name, int components) {
   print(file, "<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", vtk_type<T>,
-        attribute_text(name), components);
+        xml_text(name), components);
 }
 
 void declare_columns(OutputFile& file, std::span<const Column> columns) {
@@ -139,7 +125,7 @@ void write_pvtu(OutputFile& file, std::span<const Column> point_data, std::span<
   print(file, "</PCellData>\n<PPoints>\n");
   declare_array<double>(file, "Points", 3);
   print(file, "</PPoints>\n");
-  for (const std::string& piece : pieces) print(file, "<Piece Source=\"{}\"/>\n", attribute_text(piece));
+  for (const std::string& piece : pieces) print(file, "<Piece Source=\"{}\"/>\n", xml_text(piece));
   print(file, "</PUnstructuredGrid>\n</VTKFile>\n");
 }
 

@@ -2,23 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "model/cell.hpp"
+#include "results/find_named.hpp"
 #include "results/isotropic_slope.hpp"
 
 namespace bondstatic {
-
-namespace {
-
-template <class Quantity>
-const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& quantity) { return quantity.name == name; });
-  return found == quantities.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 const std::vector<StressQuantity>& stress_quantities() {
   static const std::vector<StressQuantity> table = [] {
@@ -55,11 +43,11 @@ const std::vector<EffectiveQuantity>& effective_quantities() {
 }
 
 const StressQuantity* find_stress_quantity(const std::string& name) {
-  return find(stress_quantities(), name);
+  return find_named(stress_quantities(), name);
 }
 
 const EffectiveQuantity* find_effective_quantity(const std::string& name) {
-  return find(effective_quantities(), name);
+  return find_named(effective_quantities(), name);
 }
 
 }  // namespace bondstatic

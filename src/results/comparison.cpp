@@ -77,8 +77,7 @@ double difference_of(const Comparison& c, const char* field) {
 
 std::vector<Column> step_columns(const std::vector<Comparison>& steps) {
   std::vector<Index> step;
-  std::vector<double> scale;
-  for (const Comparison& c : steps) step.push_back(c.step), scale.push_back(c.fields.front().scale);
+  for (const Comparison& c : steps) step.push_back(c.step);
   const auto column = [&](const char* name, auto value) {
     std::vector<double> values;
     for (const Comparison& c : steps) values.push_back(value(c));
@@ -87,7 +86,7 @@ std::vector<Column> step_columns(const std::vector<Comparison>& steps) {
   return {Column("step", std::move(step)),
           column("displacement", [](const Comparison& c) { return difference_of(c, "displacement"); }),
           column("rotation", [](const Comparison& c) { return difference_of(c, "rotation"); }),
-          Column("scale", std::move(scale)),
+          column("scale", [](const Comparison& c) { return c.fields.front().scale; }),
           column("energy", [](const Comparison& c) { return difference_of(c, "energy"); }),
           column("kinetic", [](const Comparison& c) { return c.unbalance.kinetic; }),
           column("residual", [](const Comparison& c) { return c.unbalance.finite; })};

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bondstatic/compare.hpp"
@@ -32,6 +33,9 @@ struct ComparisonResults {
 };
 
 std::vector<std::string> comparison_files(const ComparisonResults& results);
+
+/// The numbers of an Unbalance, and what summary.json calls them.
+std::vector<std::pair<const char*, double>> numbers_of(const Unbalance& unbalance);
 
 /// summary.json; `files` is what it lists.
 std::string comparison_json(const ComparisonResults& results, const RunInfo& info,

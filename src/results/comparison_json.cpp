@@ -23,15 +23,10 @@ Json field_of(const Model& model, const FieldComparison& field) {
           {"best_fit_scale", field.scale}, {"misfit_after_scaling", field.misfit}};
 }
 
-Json unbalance_of(const Unbalance& u) {
-  return {{"residual_linear", u.linear},
-          {"residual_finite", u.finite},
-          {"motion_left", u.still_moves},
-          {"kinetic_over_strain_energy", u.kinetic},
-          {"fastest_particle", u.fastest},
-          {"net_force", u.net_force},
-          {"confirmed_by_net_force", u.moving_part},
-          {"in_slowest_modes", u.slow_modes}};
+Json unbalance_of(const Unbalance& unbalance) {
+  Json all = Json::object();
+  for (const auto& [name, number] : numbers_of(unbalance)) all[name] = number;
+  return all;
 }
 
 Json suspect_of(const Suspect& suspect) {
@@ -74,6 +69,17 @@ Json series_of(const std::vector<Comparison>& steps) {
 }
 
 }  // namespace
+
+std::vector<std::pair<const char*, double>> numbers_of(const Unbalance& u) {
+  return {{"residual_linear", u.linear},
+          {"residual_finite", u.finite},
+          {"motion_left", u.still_moves},
+          {"kinetic_over_strain_energy", u.kinetic},
+          {"fastest_particle", u.fastest},
+          {"net_force", u.net_force},
+          {"confirmed_by_net_force", u.moving_part},
+          {"in_slowest_modes", u.slow_modes}};
+}
 
 std::string comparison_json(const ComparisonResults& results, const RunInfo& info,
                             const std::vector<std::string>& files) {

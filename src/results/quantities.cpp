@@ -1,17 +1,10 @@
 #include "results/quantities.hpp"
 
-#include <algorithm>
+#include "results/find_named.hpp"
 
 namespace bondstatic {
 
 namespace {
-
-template <class Quantity>
-const Quantity* find(const std::vector<Quantity>& quantities, const std::string& name) {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& quantity) { return quantity.name == name; });
-  return found == quantities.end() ? nullptr : &*found;
-}
 
 ParticleRow row_of(const Model& model, const State& state, Index particle) {
   const auto p = std::size_t(particle);
@@ -38,11 +31,11 @@ std::optional<BondWeight> slope_at(const BondQuantity& quantity, const Model& mo
 }
 
 const ParticleQuantity* find_particle_quantity(const std::string& name) {
-  return find(particle_quantities(), name);
+  return find_named(particle_quantities(), name);
 }
 
 const BondQuantity* find_bond_quantity(const std::string& name) {
-  return find(bond_quantities(), name);
+  return find_named(bond_quantities(), name);
 }
 
 }  // namespace bondstatic

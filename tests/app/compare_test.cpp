@@ -167,6 +167,8 @@ TEST(CompareCommand, BadChoicesSayTheCure) {
   EXPECT_EQ(both.code, 2);
   EXPECT_THAT(both.err, HasSubstr("exclude each other"));
   EXPECT_THAT(run_program({"compare", file, dump, "--bond-columns", "a,b"}).err, HasSubstr("--bonds FILE"));
+  EXPECT_THAT(run_program({"compare", file, dump, "--bonds", dump, "--bond-force", "fx,fy"}).err,
+              HasSubstr("2 columns are named"));
   const Ended absent = run_program({"compare", file, (scratch / "none").string()});
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.err, HasSubstr("none"));

@@ -123,6 +123,9 @@ TEST(ExportCommand, TheRelaxedTableIsAStateThatCompareCanRead) {
   ASSERT_EQ(run.ended.code, 0) << run.ended.err;
   const std::string table = read_text(run.folder / "out" / "relaxed_particles.csv");
   EXPECT_THAT(table.substr(0, table.find('\n')), HasSubstr(",x,y,z,qw,qx,qy,qz"));
+  const Ended compared =
+      run_program({"compare", (run.folder / "case.toml").string(), run.out + "/relaxed_particles.csv"});
+  EXPECT_EQ(compared.code, 0) << compared.out << compared.err;
 }
 
 /// Largest displacement that `solve` finds.
@@ -143,6 +146,13 @@ TEST(ExportCommand, TheDeckImportedAgainIsTheSameModel) {
       1, 1e-14);
 }
 
+std::string read_by_vtk(const std::string& file) {
+  const std::string script = BONDSTATIC_SOURCE_DIR "/tests/io/read_vtu.py";
+  const Ended read = Program({"-B", script, file}, "/usr/bin/python3").end();
+  EXPECT_EQ(read.code, 0) << read.err;
+  return read.out;
+}
+
 TEST(ExportCommand, VtuDrawsABondAcrossAPeriodicFaceBesideIt) {
   const ExportRun run(R"(
 [cell]
@@ -160,24 +170,18 @@ kb = 1
 )",
                       {"--to", "vtu", "--load-case", "xx"});
   ASSERT_EQ(run.ended.code, 0) << run.ended.err;
-  const std::string script = std::string(BONDSTATIC_SOURCE_DIR) + "/tests/io/read_vtu.py";
-  const Ended read =
-      Program({"-B", script, (run.folder / "out" / "model.vtu").string()}, "/usr/bin/python3").end();
-  ASSERT_EQ(read.code, 0) << read.err;
-  EXPECT_THAT(read.out, HasSubstr("points 3\n"));
-  EXPECT_THAT(read.out, HasSubstr("cell 0 3 0 2\n"));
-  EXPECT_THAT(read.out, HasSubstr("vtkGhostType 1 0 0 1\n"));
+  const std::string read = read_by_vtk(run.out + "/model.vtu");
+  EXPECT_THAT(read, HasSubstr("points 3\n"));
+  EXPECT_THAT(read, HasSubstr("cell 0 3 0 2\n"));
+  EXPECT_THAT(read, HasSubstr("vtkGhostType 1 0 0 1\n"));
 }
 
 TEST(ExportCommand, VtuHasSupportsLoadsAndStiffness) {
   const ExportRun run(cantilever(), {"--to", "vtu"});
   ASSERT_EQ(run.ended.code, 0) << run.ended.err;
-  const std::string script = std::string(BONDSTATIC_SOURCE_DIR) + "/tests/io/read_vtu.py";
-  const Ended read =
-      Program({"-B", script, (run.folder / "out" / "model.vtu").string()}, "/usr/bin/python3").end();
-  ASSERT_EQ(read.code, 0) << read.err;
+  const std::string read = read_by_vtk(run.out + "/model.vtu");
   for (const char* name : {"held_rotation", "load_force", "prescribed_translation", "kb", "contact_point"})
-    EXPECT_THAT(read.out, HasSubstr(name));
+    EXPECT_THAT(read, HasSubstr(name));
 }
 
 }  // namespace

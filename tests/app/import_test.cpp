@@ -7,14 +7,9 @@
 
 #include "app/run_program.hpp"
 
-namespace bondstatic {
+namespace bondstatic::test {
 namespace {
 
-using test::Ended;
-using test::everything_in;
-using test::read_text;
-using test::run_program;
-using test::ScratchFolder;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -238,4 +233,4 @@ TEST(Import, JoinsParticlesAndBondsOfSeveralFiles) {
 }
 
 }  // namespace
-}  // namespace bondstatic
+}  // namespace bondstatic::test

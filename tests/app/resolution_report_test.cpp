@@ -6,14 +6,9 @@
 
 #include "app/run_program.hpp"
 
-namespace bondstatic {
+namespace bondstatic::test {
 namespace {
 
-using test::cantilever;
-using test::Ended;
-using test::read_text;
-using test::run_program;
-using test::ScratchFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -111,4 +106,4 @@ TEST(ResolutionReport, StandsInFullInTheSummary) {
 }
 
 }  // namespace
-}  // namespace bondstatic
+}  // namespace bondstatic::test

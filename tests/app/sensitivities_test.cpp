@@ -8,15 +8,9 @@
 
 #include "app/run_program.hpp"
 
-namespace bondstatic {
+namespace bondstatic::test {
 namespace {
 
-using test::cantilever;
-using test::Ended;
-using test::everything_in;
-using test::read_text;
-using test::run_program;
-using test::ScratchFolder;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -82,4 +76,4 @@ TEST(SolveSensitivities, SayWhatHasNoDerivative) {
 }
 
 }  // namespace
-}  // namespace bondstatic
+}  // namespace bondstatic::test

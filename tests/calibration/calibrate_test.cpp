@@ -195,6 +195,28 @@ TEST(Calibrate, SeveralTestsShareTheirParameters) {
   EXPECT_EQ(found.solves, 2 * int(found.history.size()));
 }
 
+TEST(Calibrate, AMemoryLimitHoldsForTheFactorsOfAllTests) {
+  CalibrationTest first = packing_test("timoshenko", {{"young", 50e9}, {"poisson", 0.3}});
+  first.parameters = {moves(first, "young")};
+  first.name = "first.toml";
+  first.solve.solver = "eigen";
+  CalibrationTest second = first;
+  second.name = "second.toml";
+  const StaticSolution alone = solve_statics(first.model, first.solve);
+  const auto calibrated_within = [&](double limit) {
+    first.solve.memory_limit = second.solve.memory_limit = limit * alone.report.analysis.predicted_bytes;
+    return calibrate({first, second}, {parameter("young", 1e9, 1e12)},
+                     {{.output = "press", .test = "", .wanted = 2 * outputs_of(first)[0]}});
+  };
+  EXPECT_TRUE(calibrated_within(2.01).reached);
+  try {
+    calibrated_within(1.99);
+    ADD_FAILURE();
+  } catch (const MemoryError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("second.toml, with "), HasSubstr(" for the tests before it")));
+  }
+}
+
 TEST(Calibrate, ATargetWithoutATestCountsInEachThatHasItsOutput) {
   CalibrationTest first = cantilever_test("timoshenko", {{"young", 50e9}, {"poisson", 0.3}});
   CalibrationTest second = cantilever_test("timoshenko", {{"young", 50e9}, {"poisson", 0.1}});

@@ -26,7 +26,7 @@ TEST(CeresModule, NothingOfItIsLoadedBeforeItIsAskedFor) {
 TEST(CeresModule, WithoutItCalibrationSaysHowToComeByIt) {
   const ScratchFolder scratch;
   setenv("BONDSTATIC_MODULES", scratch.path().c_str(), 1);
-  const Ended nowhere = run_program({"calibrate", example});
+  const Ended nowhere = run_program({"calibrate", "no_such_case.toml"});  // said before anything is read
   scratch.write("libbondstatic_ceres.so", "not a library");
   const Ended broken = run_program({"calibrate", example});
   unsetenv("BONDSTATIC_MODULES");

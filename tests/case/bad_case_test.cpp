@@ -3,37 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "app/run_program.hpp"
+#include "case/slip.hpp"
 #include "case/sound_case.hpp"
 
 namespace bondstatic::test {
 namespace {
 
-struct Slip {
-  std::string name;
-  int line;  ///< of the sound case that is replaced; 19 is behind it
-  std::string replacement;
-  int fault_line;
-  int fault_column;
-  std::string message;  ///< part of it
-  std::string cure;     ///< part of it
-};
-
-void PrintTo(const Slip& slip, std::ostream* out) {
-  *out << slip.name;
-}
-
 class BadCase : public testing::TestWithParam<Slip> {};
 
 TEST_P(BadCase, IsOneFaultWithPlaceAndCure) {
   const Slip& slip = GetParam();
-  const std::vector<Fault> faults = faults_of(sound_case({{slip.line, slip.replacement}}));
-  ASSERT_EQ(faults.size(), 1u) << (faults.empty() ? "read without a fault" : InputError(faults).what());
-  EXPECT_EQ(faults[0].place.file, "case.toml");
-  EXPECT_EQ(faults[0].place.line, slip.fault_line);
-  EXPECT_EQ(faults[0].place.column, slip.fault_column);
-  EXPECT_THAT(faults[0].message, testing::HasSubstr(slip.message));
-  EXPECT_THAT(faults[0].cure, testing::HasSubstr(slip.cure));
-  EXPECT_FALSE(faults[0].cure.empty());
+  expect_told(slip, faults_of(sound_case({{slip.line, slip.replacement}})));
 }
 
 TEST_P(BadCase, EndsTheProgramWith2AndLeavesNothing) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case/output_dimension.hpp"
+#include "case/slip.hpp"
 #include "case/sound_case.hpp"
 
 namespace bondstatic::test {
@@ -115,30 +116,12 @@ TEST(CalibrationPlan, ReadsAsTheSameFromTheResolvedCase) {
   EXPECT_EQ(one.parameters[0].start, two.parameters[0].start);
 }
 
-struct Slip {
-  std::string name;
-  int line;
-  std::string replacement;
-  int fault_line, fault_column;
-  std::string message, cure;  ///< parts of them
-};
-
-void PrintTo(const Slip& slip, std::ostream* out) {
-  *out << slip.name;
-}
-
 class BadCalibration : public testing::TestWithParam<Slip> {};
 
 TEST_P(BadCalibration, IsOneFaultWithPlaceAndCure) {
   const Slip& slip = GetParam();
-  const auto faults = faults_of(calibrated({{slip.line, slip.replacement}}), {},
-                                {{"other.toml", sound_case()}, {"bare.toml", "title = \"no outputs\""}});
-  ASSERT_EQ(faults.size(), 1u) << (faults.empty() ? "read without a fault" : InputError(faults).what());
-  EXPECT_EQ(faults[0].place.file, "case.toml");
-  EXPECT_EQ(faults[0].place.line, slip.fault_line);
-  EXPECT_EQ(faults[0].place.column, slip.fault_column);
-  EXPECT_THAT(faults[0].message, HasSubstr(slip.message));
-  EXPECT_THAT(faults[0].cure, HasSubstr(slip.cure));
+  expect_told(slip, faults_of(calibrated({{slip.line, slip.replacement}}), {},
+                              {{"other.toml", sound_case()}, {"bare.toml", "title = \"no outputs\""}}));
 }
 
 const std::vector<Slip> slips{
@@ -164,6 +147,8 @@ const std::vector<Slip> slips{
     {"Misspelt", 21, "key = \"bonds.0.yuong\"", 21, 7, "timoshenko, takes no yuong; it takes: young, poisson",
      "did you mean \"young\"?"},
     {"MisspeltOfAll", 21, "key = \"yuong\"", 21, 7, "takes no yuong", "did you mean \"young\"?"},
+    {"Strength", 21, "key = \"bonds.0.strength.cohesion\"", 21, 7,
+     "strengths change nothing in a static answer", "young, poisson"},
     {"OfNoBlock", 21, "key = \"bonds.1.young\"", 21, 7, "no bonds.1", "from 0 to 0"},
     {"OfAllBonds", 21, "key = \"bonds.young\"", 21, 7, "names no parameter of a block", "bonds.0.young"},
     {"NotGiven", 21, "key = \"radius_factor\"", 21, 7, "gives radius, not radius_factor", "calibrate radius"},

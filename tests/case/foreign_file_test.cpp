@@ -6,11 +6,9 @@
 #include "case/same_model.hpp"
 #include "case/sound_case.hpp"
 
-namespace bondstatic {
+namespace bondstatic::test {
 namespace {
 
-using test::faults_of;
-using test::read_case_text;
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
@@ -43,7 +41,7 @@ TEST(ForeignFile, IsReadAsATableOfTheSameModelWouldBe) {
                        "id,x,y,z,radius,density,group\n5,0,0,0,1,2500,type 1\n6,2,0,0,1,2500,type 1\n"
                        "9,4,0,0,1,2400,type 2\n"},
                       {"b.csv", "id,a,b\n1,5,6\n2,6,9\n"}});
-  test::expect_same(direct.model, tables.model);
+  expect_same(direct.model, tables.model);
 }
 
 TEST(ForeignFile, GivesItsStiffnessToEachBondAndNeedsNoLawThen) {
@@ -83,7 +81,7 @@ TEST(ForeignFile, TakesWhatTheBlockSaysOfIt) {
       "\"x.data\"\natom_style = \"hybrid sphere bond\"\n";
   const Case direct = read_case_text(text + stiffness + rest, {}, {{"x.data", data + hybrid + bonds}});
   const Case plain = read_case_text(both + stiffness + rest, {}, {{"x.data", data + atoms + bonds}});
-  test::expect_same(direct.model, plain.model);
+  expect_same(direct.model, plain.model);
 }
 
 TEST(ForeignFile, OfADumpHasTheStepThatIsAskedFor) {
@@ -219,4 +217,4 @@ TEST(ForeignFile, WhoseBondsGoThroughPeriodicFacesNeedsACell) {
 }
 
 }  // namespace
-}  // namespace bondstatic
+}  // namespace bondstatic::test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "compare/turning.hpp"
+#include "model/turning.hpp"
 #include "support/models.hpp"
 #include "system/incidence.hpp"
 

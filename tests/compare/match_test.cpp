@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "compare/turning.hpp"
+#include "model/turning.hpp"
 #include "support/models.hpp"
 
 namespace bondstatic {

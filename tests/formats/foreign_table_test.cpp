@@ -213,12 +213,10 @@ TEST(EdemExport, WhatNeedNotBeGivenMayBeEmpty) {
 TEST(StateTable, PartOfADisplacementOrATurnIsAFault) {
   for (const char* text :
        {"id,x,y,z,ux,uy\n1,0,0,0,1,1\n", "id,x,y,z,rx\n1,0,0,0,1\n", "id,x,y,z,qw,qx,qy\n1,0,0,0,1,0,0\n"}) {
-    const ScratchFolder folder;
-    std::vector<Fault> faults;
-    EXPECT_FALSE(read_state_table(folder.write("table.csv", text), {}, named_at, faults)) << text;
-    ASSERT_EQ(faults.size(), 1u) << text;
-    EXPECT_THAT(faults[0].message, HasSubstr("lacks"));
-    EXPECT_EQ(faults[0].place.column, 10);
+    const Answer answer = read_damaged(digesting(read_state_table), text);
+    ASSERT_EQ(answer.faults.size(), 1u) << text;
+    EXPECT_THAT(answer.faults[0].message, HasSubstr("lacks"));
+    EXPECT_EQ(answer.faults[0].place.column, 10);
   }
 }
 
@@ -299,11 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
 class SoundTables : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(SoundTables, BearDamage) {
-  const auto reader = [](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-    const auto model = read_foreign_table(path, {}, named_at, faults);
-    return model ? std::optional(digest(*model)) : std::nullopt;
-  };
-  expect_robust(reader, GetParam().second);
+  expect_robust(digesting(read_foreign_table), GetParam().second);
 }
 
 INSTANTIATE_TEST_SUITE_P(ForeignTable, SoundTables,
@@ -312,11 +306,8 @@ INSTANTIATE_TEST_SUITE_P(ForeignTable, SoundTables,
                          [](const auto& test) { return test.param.first; });
 
 TEST(StateTable, BearsDamage) {
-  const auto reader = [](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-    const auto state = read_state_table(path, {}, named_at, faults);
-    return state ? std::optional(digest(*state)) : std::nullopt;
-  };
-  expect_robust(reader, "id,x,y,z,qw,qx,qy,qz\n1,0.5,0,0,1,0,0,0\n2,1.5,0,0,0.6,0.8,0,0\n");
+  expect_robust(digesting(read_state_table),
+                "id,x,y,z,qw,qx,qy,qz\n1,0.5,0,0,1,0,0,0\n2,1.5,0,0,0.6,0.8,0,0\n");
 }
 
 }  // namespace

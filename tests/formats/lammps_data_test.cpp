@@ -27,11 +27,7 @@ ForeignModel sound(const std::string& text, const ReadOptions& options = {}) {
 }
 
 DigestingReader reader_with(const ReadOptions& options = {}) {
-  return [options](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-    const auto model = read_lammps_data(path, options, named_at, faults);
-    if (!model) return std::nullopt;
-    return digest(*model);
-  };
+  return digesting(read_lammps_data, options);
 }
 
 /// Header and two atoms of a style; `rows` are the section's.
@@ -164,9 +160,8 @@ TEST(LammpsData, TheAtomStyleCanBeAskedFor) {
 
 TEST(LammpsData, ReadsTiltedAndGeneralBoxes) {
   const std::string rows = "1 1 1 1 2 3 1 1 0 0\n2 1 1 1 4 5 6 0 1 1\n";
-  const ForeignModel tilted =
-      sound(with_atoms(" # sphere", "1 1 1 1 2 3 1 1 0 0\n2 1 1 1 4 5 6 0 1 1\n",
-                       "-1 5 xlo xhi\n0 9 ylo yhi\n0 8 zlo zhi\n0.5 -0.25 0.75 xy xz yz\n"));
+  const ForeignModel tilted = sound(
+      with_atoms(" # sphere", rows, "-1 5 xlo xhi\n0 9 ylo yhi\n0 8 zlo zhi\n0.5 -0.25 0.75 xy xz yz\n"));
   Matrix3 edges;
   edges << 6, 0.5, -0.25, 0, 9, 0.75, 0, 0, 8;
   EXPECT_EQ(tilted.cell->edges, edges);
@@ -221,7 +216,7 @@ TEST(LammpsData, CoefficientsOfOtherStylesAreLeftOut) {
   EXPECT_TRUE(model.bond_columns.empty());
   EXPECT_THAT(model.notes.left_out, Contains(HasSubstr("(harmonic)")));
   const ForeignModel unnamed = sound(changed(bpm_data, "Bond Coeffs # bpm/rotational", "Bond Coeffs"));
-  EXPECT_EQ(digest(sound(bpm_data)).size() + 85, digest(unnamed).size());  // one sentence more
+  EXPECT_EQ(unnamed.bond_columns, sound(bpm_data).bond_columns);
   EXPECT_THAT(unnamed.notes.assumed, Contains(HasSubstr("they are twelve")));
 }
 

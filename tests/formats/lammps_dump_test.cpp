@@ -34,18 +34,8 @@ ForeignModel model_of(const std::string& text) {
   return *model;
 }
 
-const DigestingReader state_reader = [](const std::string& path,
-                                        std::vector<Fault>& faults) -> std::optional<std::string> {
-  const auto state = read_lammps_dump_state(path, {}, named_at, faults);
-  if (!state) return std::nullopt;
-  return digest(*state);
-};
-const DigestingReader model_reader = [](const std::string& path,
-                                        std::vector<Fault>& faults) -> std::optional<std::string> {
-  const auto model = read_lammps_dump(path, {}, named_at, faults);
-  if (!model) return std::nullopt;
-  return digest(*model);
-};
+const DigestingReader state_reader = digesting(read_lammps_dump_state);
+const DigestingReader model_reader = digesting(read_lammps_dump);
 
 /// One step of an orthogonal box [0, 4] x [1, 3] x [-1, 1].
 std::string step_with(const std::string& columns, const std::string& rows,

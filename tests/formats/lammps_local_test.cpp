@@ -20,11 +20,7 @@ ReadOptions columns(const std::vector<std::string>& names) {
 }
 
 DigestingReader state_reader(const ReadOptions& options) {
-  return [options](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-    const auto state = read_lammps_local_state(path, options, named_at, faults);
-    if (!state) return std::nullopt;
-    return digest(*state);
-  };
+  return digesting(read_lammps_local_state, options);
 }
 
 TEST(LammpsLocal, BondsAreInTheColumnsThatTheUserNames) {

@@ -108,10 +108,7 @@ TEST(MusenText, WithoutMaterialsTheLawIsTheUsers) {
 }
 
 TEST(MusenText, FaultsSayWhereAndWhat) {
-  const auto reader = [](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-    const auto model = read_musen_text(path, {}, named_at, faults);
-    return model ? std::optional(digest(*model)) : std::nullopt;
-  };
+  const DigestingReader reader = digesting(read_musen_text);
   expect_fault(reader, scene + "99 1 2\n", "99 begins no line", 11);
   expect_fault(reader, scene + "0 8 1 1 5 0.1\n", "the line ends where", 11);
   expect_fault(reader, scene + "0 8 1 77 5 0.1\n", "type 77 of an object is unknown", 11);

@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "bondstatic/dynamics.hpp"
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 #include "formats/readers.hpp"
+#include "model/turning.hpp"
 
 namespace bondstatic::test {
 namespace {
@@ -19,12 +20,8 @@ std::vector<Vector6> exported_motion(const Model& model) {
   std::vector<Vector6> motion;
   for (std::size_t p = 0; state && p < model.particles.size(); ++p) {
     EXPECT_EQ(state->id[p], model.particles[p].id);
-    const Eigen::Quaterniond& q = state->orientation[p];
-    const double half_sine = q.vec().norm();
     Vector6 u;
-    u.head<3>() = state->position[p] - model.particles[p].position;
-    u.tail<3>() =
-        half_sine > 0 ? Vector3(2 * std::atan2(half_sine, q.w()) / half_sine * q.vec()) : Vector3(q.vec());
+    u << state->position[p] - model.particles[p].position, rotation_vector(state->orientation[p]);
     motion.push_back(u);
   }
   return motion;

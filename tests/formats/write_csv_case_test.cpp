@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "bondstatic/case_file.hpp"
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 
 namespace bondstatic::test {
 namespace {

@@ -1,7 +1,7 @@
 // A model as a LAMMPS data file and back, to the last digit.
 #include <gmock/gmock.h>
 
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 #include "formats/readers.hpp"
 #include "formats/write/lammps_box.hpp"
 

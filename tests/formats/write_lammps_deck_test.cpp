@@ -4,7 +4,7 @@
 #include <map>
 
 #include "bondstatic/error.hpp"
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 
 namespace bondstatic::test {
 namespace {

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 #include "formats/readers.hpp"
 #include "formats/write/lammps_dump.hpp"
+#include "model/turning.hpp"
 
 namespace bondstatic::test {
 namespace {
@@ -14,7 +15,7 @@ ParticleState some_state() {
     state.id.push_back(7 * p + 1);
     state.type.push_back(p % 2 + 1);
     state.position.push_back(Vector3(1.0 / 3 * p, -2.0 / 7, 1e-9 / 3));
-    state.orientation.push_back(turn_of(Vector3(1e-7 * p, 0.2, -1.0 / 3)));
+    state.orientation.push_back(quaternion(Vector3(1e-7 * p, 0.2, -1.0 / 3)));
     state.velocity.push_back(Vector3(1e-17, p, 0));
     state.angular_velocity.push_back(Vector3(0, 0.1, p));
     state.force.push_back(Vector3(p, 1e300, -1e-300));
@@ -37,7 +38,7 @@ ParticleState there_and_back(const ParticleState& state, const LammpsBox& box) {
   return back.value_or(ParticleState{});
 }
 
-TEST(LammpsDump, ReadsBackToTheLastBit) {
+TEST(LammpsDumpRoundTrip, ReadsBackToTheLastBit) {
   const ParticleState state = some_state();
   LammpsBox box;
   box.high = Vector3(1, 1, 1);
@@ -56,7 +57,7 @@ TEST(LammpsDump, ReadsBackToTheLastBit) {
     EXPECT_LT((back.orientation[p].coeffs() - state.orientation[p].coeffs()).norm(), 3e-16);
 }
 
-TEST(LammpsDump, KeepsAnObliquePeriodicBox) {
+TEST(LammpsDumpRoundTrip, KeepsAnObliquePeriodicBox) {
   LammpsBox box;
   box.low = Vector3(-1, -1, -1);
   box.high = Vector3(3, 3, 3);
@@ -72,15 +73,6 @@ TEST(LammpsDump, KeepsAnObliquePeriodicBox) {
   edges << 4, 1, -0.5, 0, 4, 0.25, 0, 0, 4;
   EXPECT_EQ(back.cell->edges, edges);
   EXPECT_EQ(back.cell->origin, box.low);
-}
-
-TEST(TurnOf, IsTheExponentialOfTheRotationVector) {
-  EXPECT_TRUE(turn_of(Vector3::Zero()).isApprox(Eigen::Quaterniond::Identity(), 0));
-  const Eigen::Quaterniond q = turn_of(Vector3(0, 0, EIGEN_PI / 2));
-  EXPECT_DOUBLE_EQ(q.w(), std::sqrt(0.5));
-  EXPECT_DOUBLE_EQ(q.z(), std::sqrt(0.5));
-  // Small angles keep their digits, which an angle from w would lose.
-  EXPECT_EQ(turn_of(Vector3(2e-12, 0, 0)).x(), 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "export_models.hpp"
+#include "formats/export_models.hpp"
 
 namespace bondstatic::test {
 namespace {

@@ -66,12 +66,7 @@ TEST(YadeText, FormatsWithoutSpheresAreFaults) {
 }
 
 TEST(YadeText, BearsDamage) {
-  expect_robust(
-      [](const std::string& path, std::vector<Fault>& faults) -> std::optional<std::string> {
-        const auto model = read_yade_text(path, {}, named_at, faults);
-        return model ? std::optional(digest(*model)) : std::nullopt;
-      },
-      with_material);
+  expect_robust(digesting(read_yade_text), with_material);
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ TEST(Units, AreTheNearestDoubles) {
       {"3 kN*m", d::moment, 3000},
       {"3 Nm", d::moment, 3},
       {"3 N mm", d::moment, 0.003},
+      {"3 mJ", d::moment, 0.003},
+      {"5 kJ/m3", d::stress, 5000},
       {"3 kN m/rad", d::moment, 3000},
       {"5 MPa/m", d::stress_per_length, 5e6},
       {"5 N/m3", d::stress_per_length, 5},

@@ -8,7 +8,7 @@ import sys
 
 # A room may include from itself and from the rooms in its set. io holds what everything stands on.
 LINE_OF_ROOMS = ["io", "model", "bond", "formats", "dynamics", "system", "mechanism", "multigrid", "solver", "statics", "modes", "relax",
-                 "check", "compare", "results", "calibration"]
+                 "check", "compare", "fracture", "results", "calibration"]
 MAY_USE = {room: set(LINE_OF_ROOMS[:i]) for i, room in enumerate(LINE_OF_ROOMS)}
 # The explicit run checks the static answer, so neither may stand on the other.
 for room in ["system", "mechanism", "multigrid", "solver", "statics", "modes"]:
@@ -26,18 +26,18 @@ MAY_USE["python"] = set(MAY_USE) - {"petsc", "app"}
 ROOM_OF_HEADER = {
     "types": "io", "error": "io", "units": "io", "version": "io",
     "model": "model",
-    "bond": "bond", "bond_law": "bond",
+    "bond": "bond", "bond_law": "bond", "strength": "bond",
     "state": "model",
     "network": "system",
     "linear_solver": "solver",
     "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics", "sensitivity": "statics",
-    "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare",
+    "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare", "fracture": "fracture",
     "output": "results", "results": "results", "resolution": "results", "calibration": "calibration",
     "case_file": "case",
 }
 # A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.
 ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp",
-                         "bondstatic/relaxation.hpp", "bondstatic/dynamics.hpp", "bondstatic/calibration.hpp"}}
+                         "bondstatic/relaxation.hpp", "bondstatic/dynamics.hpp", "bondstatic/fracture.hpp", "bondstatic/calibration.hpp"}}
 
 # Foreign headers that only one place may know.
 ONLY_IN = {

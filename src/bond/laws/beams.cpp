@@ -15,7 +15,7 @@ RoundSection<T> section_of(const BondSite& site, std::span<const T> in) {
 }
 
 template <class T>
-BondSection<T> beam(const BondSite& site, std::span<const T> in, const T& ks) {
+FormulaValue<T> beam(const BondSite& site, std::span<const T> in, const T& ks) {
   const RoundSection<T> section = section_of(site, in);
   const T kn = in[young] * section.area() / site.length;
   const T kb = in[young] * section.second_moment() / site.length;
@@ -28,17 +28,17 @@ T euler_bernoulli_shear(const BondSite& site, std::span<const T> in) {
   return 12 * in[young] * section_of(site, in).second_moment() / (site.length * site.length * site.length);
 }
 
-constexpr auto euler_bernoulli = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto euler_bernoulli = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   return beam(site, in, euler_bernoulli_shear(site, in));
 };
 
-constexpr auto timoshenko = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto timoshenko = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const T slenderness = section_of(site, in).radius / site.length;
   const T phi = 20 * slenderness * slenderness * (1 + in[poisson]) / 3;  // [Chen2022] Eq. 25
   return beam(site, in, euler_bernoulli_shear(site, in) / (1 + phi));
 };
 
-constexpr auto obermayr = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto obermayr = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const T g = shear_modulus(in[young], in[poisson]);
   return beam(site, in, in[shear_coefficient] * g * section_of(site, in).area() / site.length);
 };

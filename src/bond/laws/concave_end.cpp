@@ -44,7 +44,7 @@ std::array<Dual, 2> fibre_integrals(const BondSite& site, const Dual& upper) {
   return {Dual(first, slope), Dual(third, r * r * slope)};
 }
 
-constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   using std::numbers::pi;
   const T r = bond_radius(site, in[radius], in[radius_factor]);
   const T e = in[young], g = shear_modulus(e, in[poisson]);

@@ -19,7 +19,7 @@ enum Input : std::size_t {
   torque_feedback
 };
 
-constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const RoundSection<T> section{in[disk_scale] * std::min(site.radius_a, site.radius_b)};
   const std::uint64_t key = pair_key(std::uint64_t(double(in[seed])), site.id_a, site.id_b);
   const T normal = in[normal_stiffness] + in[normal_range] * scatter(key, 0);

@@ -8,7 +8,7 @@ namespace {
 
 enum Input : std::size_t { young, poisson, kappa, radius, radius_factor };
 
-constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const T r = bond_radius(site, in[radius], in[radius_factor]);
   const T ratio = std::isnan(double(in[kappa])) ? 2 * (1 + in[poisson]) : in[kappa];
   const T kn = in[young] * RoundSection<T>{r}.area() / site.length;

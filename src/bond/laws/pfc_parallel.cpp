@@ -15,7 +15,7 @@ enum Input : std::size_t {
   radius_factor
 };
 
-constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const RoundSection<T> section{bond_radius(site, in[radius], in[radius_factor])};
   T normal = in[normal_stiffness], shear = in[shear_stiffness];
   if (std::isnan(double(normal))) {

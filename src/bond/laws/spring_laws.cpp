@@ -6,11 +6,11 @@
 namespace bondstatic {
 namespace {
 
-constexpr auto contact = []<class T>(const BondSite&, std::span<const T> in) -> BondSection<T> {
+constexpr auto contact = []<class T>(const BondSite&, std::span<const T> in) -> FormulaValue<T> {
   return {.kn = in[0], .ks = in[1], .radius = in[2]};
 };
 
-constexpr auto generic = []<class T>(const BondSite&, std::span<const T> in) -> BondSection<T> {
+constexpr auto generic = []<class T>(const BondSite&, std::span<const T> in) -> FormulaValue<T> {
   return {.kn = in[0], .ks = in[1], .kt = in[2], .kb = in[3], .radius = in[4]};
 };
 

@@ -25,7 +25,7 @@ Flexibility<T> cantilever(double length, const RoundSection<T>& section, const T
           .bending = length / ei};
 }
 
-constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> BondSection<T> {
+constexpr auto formula = []<class T>(const BondSite& site, std::span<const T> in) -> FormulaValue<T> {
   const RoundSection<T> section_a{in[radius_factor] * site.radius_a},
       section_b{in[radius_factor] * site.radius_b};
   const T g = shear_modulus(in[young], in[poisson]);

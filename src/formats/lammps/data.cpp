@@ -148,7 +148,7 @@ class DataFile {
     if (!options_.particles) return;
     std::vector<Index> ids(model_->particles.size());
     for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = model_->particles[i].id;
-    const IdTable known = table_of_ids(ids, model_->particle_line, reader_.file(), faults_);
+    const IdTable known = table_of_ids("particle", ids, model_->particle_line, reader_.file(), faults_);
     LimitedFaults limited(faults_);
     for (std::size_t k = 0; k < model_->bonds.size(); ++k)
       for (const Index id : {model_->bonds[k].a, model_->bonds[k].b})

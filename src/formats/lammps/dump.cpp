@@ -139,14 +139,6 @@ bool any_periodic(const std::optional<Cell>& box) {
   return box && (box->periodic[0] || box->periodic[1] || box->periodic[2]);
 }
 
-std::string about_the_step(const Step& step) {
-  const DumpRows& rows = step.rows;
-  std::string text = fmt::format("Step {} was read", rows.header.step);
-  if (rows.steps > 1) text += fmt::format(", of {} in the file", rows.steps);
-  if (rows.repeated) text += "; the file has it several times, and the last was taken";
-  return text + ".";
-}
-
 std::string about_positions(const Step& step) {
   const auto& names = step.rows.header.columns;
   std::string text = "Positions are from the columns";
@@ -181,7 +173,7 @@ std::optional<ParticleState> read_lammps_dump_state(const std::string& path, con
   state.step = header.step;
   state.time = header.time;
   state.id = whole_numbers(*step, columns.id);
-  table_of_ids(state.id, step->rows.line, path, faults);
+  table_of_ids("particle", state.id, step->rows.line, path, faults);
   state.type = whole_numbers(*step, columns.type);
   state.radius = radii(*step, path, faults);
   state.position.reserve(step->count());
@@ -194,7 +186,7 @@ std::optional<ParticleState> read_lammps_dump_state(const std::string& path, con
   state.force = vectors(*step, columns.force);
   state.torque = vectors(*step, columns.torque);
   if (any_periodic(header.box)) state.cell = header.box;
-  state.notes = {about_the_step(*step), about_positions(*step)};
+  state.notes = {about_step(step->rows) + ".", about_positions(*step)};
   if (columns.quaternion_guessed && !state.orientation.empty())
     state.notes.push_back(about_quaternions(*step));
   if (!columns.quaternion_guessed && columns.quaternion[0] >= 0 && state.orientation.empty())
@@ -213,7 +205,7 @@ std::optional<ForeignModel> read_lammps_dump(const std::string& path, const Read
   const DumpHeader& header = step->rows.header;
   const ParticleColumns& columns = step->columns;
   const std::vector<Index> ids = whole_numbers(*step, columns.id);
-  table_of_ids(ids, step->rows.line, path, faults);
+  table_of_ids("particle", ids, step->rows.line, path, faults);
   const std::vector<double> radius = radii(*step, path, faults);
   if (faults.size() != before) return std::nullopt;
 
@@ -245,7 +237,7 @@ std::optional<ForeignModel> read_lammps_dump(const std::string& path, const Read
   model.particle_line = std::move(step->rows.line);
 
   ImportNotes& notes = model.notes;
-  notes.taken = {about_the_step(*step), about_positions(*step)};
+  notes.taken = {about_step(step->rows) + ".", about_positions(*step)};
   if (radius.empty())
     notes.left_out.push_back("The dump has no column radius or diameter: radii must be given.");
   if (columns.density < 0 && columns.mass >= 0 && !radius.empty())

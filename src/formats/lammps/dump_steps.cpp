@@ -102,6 +102,13 @@ std::optional<std::vector<DumpStep>> find_dump_steps(LineReader& reader,
   return steps;
 }
 
+std::string about_step(const DumpRows& rows) {
+  std::string text = fmt::format("Step {} was read", rows.header.step);
+  if (rows.steps > 1) text += fmt::format(", of {} in the file", rows.steps);
+  if (rows.repeated) text += "; the file has it several times, and the last was taken";
+  return text;
+}
+
 std::optional<DumpRows> read_dump_rows(const std::string& path, const ReadOptions& options,
                                        const ChooseColumns& choose, const Place& named_at,
                                        std::vector<Fault>& faults) {

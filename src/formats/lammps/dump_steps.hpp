@@ -36,6 +36,9 @@ struct DumpRows {
   bool repeated = false;                    ///< the file has this step several times; this is the last
 };
 
+/// "Step 1000 was read, of 2 in the file", without a full stop.
+std::string about_step(const DumpRows& rows);
+
 struct WantedColumn {
   int column = 0;                     ///< in the header's columns
   std::optional<Index> whole_from{};  ///< a whole number, at least this; else any finite one

@@ -105,12 +105,9 @@ std::optional<BondRows> read_bonds(const std::string& path, const ReadOptions& o
 
 std::string about_the_bonds(const BondRows& bonds) {
   const DumpHeader& header = bonds.rows.header;
-  std::string text = fmt::format("Step {} was read", header.step);
-  if (bonds.rows.steps > 1) text += fmt::format(", of {} in the file", bonds.rows.steps);
-  if (bonds.rows.repeated) text += "; the file has it several times, and the last was taken";
-  text += fmt::format(". Columns {} and {} are the bonds' particles",
-                      header.columns[std::size_t(bonds.columns[0])],
-                      header.columns[std::size_t(bonds.columns[1])]);
+  std::string text = about_step(bonds.rows) + fmt::format(". Columns {} and {} are the bonds' particles",
+                                                          header.columns[std::size_t(bonds.columns[0])],
+                                                          header.columns[std::size_t(bonds.columns[1])]);
   if (bonds.columns[2] >= 0)
     text += fmt::format(", {} is their type", header.columns[std::size_t(bonds.columns[2])]);
   return text + ".";

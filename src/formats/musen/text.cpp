@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <numbers>
 
+#include "bond/codes.hpp"
 #include "formats/musen/object.hpp"
 #include "formats/musen/scene.hpp"
 #include "formats/particle_ids.hpp"
@@ -45,7 +46,7 @@ void take_spheres(const MusenScene& scene, const std::string& path, ForeignModel
     model.group.push_back(sphere.material < 0 ? int(scene.material_keys.size()) : sphere.material);
   }
   model.group_names = group_names(scene);
-  table_of_ids(ids, model.particle_line, path, faults);
+  table_of_ids("particle", ids, model.particle_line, path, faults);
 }
 
 void take_bonds(const MusenScene& scene, ForeignModel& model) {
@@ -54,6 +55,7 @@ void take_bonds(const MusenScene& scene, ForeignModel& model) {
   for (const char* name : {"kn", "ks", "kt", "kb"}) stiffness[name].resize(count, not_given);
   for (const char* name : {"normal_strength", "tangential_strength"}) strength[name].resize(count, not_given);
   std::vector<double> radius(count);
+  const BondCode& elastic = *find_bond_code("musen-solid-bond");
   bool all_known = true;
   for (std::size_t i = 0; i < count; ++i) {
     const MusenBond& bond = scene.bonds[i];
@@ -61,14 +63,14 @@ void take_bonds(const MusenScene& scene, ForeignModel& model) {
     model.bond_line.push_back(bond.line);
     radius[i] = bond.diameter / 2;
     const double young = property(scene, bond.material, musen_property::young);
-    const double shear = young / (2 * (1 + property(scene, bond.material, musen_property::poisson)));
-    const double area = std::numbers::pi * radius[i] * radius[i],
-                 second_moment = area * radius[i] * radius[i] / 4;
-    stiffness["kn"][i] = young * area / bond.length;
-    stiffness["ks"][i] = shear * area / bond.length;
-    stiffness["kt"][i] = 2 * shear * second_moment / bond.length;
-    stiffness["kb"][i] = young * second_moment / bond.length;
-    all_known &= std::isfinite(young) && std::isfinite(shear);
+    const double poisson = property(scene, bond.material, musen_property::poisson);
+    const SectionStiffness c =
+        elastic.realised({.length = bond.length}, std::array{bond.diameter, young, poisson}).stiffness;
+    stiffness["kn"][i] = c.kn;
+    stiffness["ks"][i] = c.ks;
+    stiffness["kt"][i] = c.kt;
+    stiffness["kb"][i] = c.kb;
+    all_known &= std::isfinite(c.kn) && std::isfinite(c.ks);
     strength["normal_strength"][i] = property(scene, bond.material, musen_property::normal_strength);
     strength["tangential_strength"][i] = property(scene, bond.material, musen_property::tangential_strength);
   }
@@ -171,7 +173,7 @@ std::optional<ParticleState> read_musen_state(const std::string& path, const Rea
     if (has(musen_key::angular_velocity)) state.angular_velocity.push_back(sphere.angular_velocity);
     if (has(musen_key::force)) state.force.push_back(sphere.force);
   }
-  table_of_ids(state.id, line, path, faults);
+  table_of_ids("particle", state.id, line, path, faults);
   if (faults.size() != before) return std::nullopt;
   return state;
 }

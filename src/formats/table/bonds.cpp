@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "bondstatic/bond_law.hpp"
+#include "bond/codes.hpp"
+#include "formats/particle_ids.hpp"
 #include "formats/table/column_units.hpp"
 #include "formats/table/model.hpp"
 #include "io/nearest_name.hpp"
@@ -74,21 +75,17 @@ void multiply_with_sections(ForeignModel& model) {
   const bool given = columns.contains("normal_stiffness") && columns.contains("shear_stiffness") &&
                      columns.contains("radius") && !columns.contains("kn");
   if (!given) return;
-  const BondLaw& law = *find_bond_law("edem-v2");
-  std::vector<double> in;
-  for (const Parameter& parameter : law.parameters) in.push_back(parameter.default_value);
-  in[std::size_t(law.find("torque_feedback"))] = 1;
-  double& normal = in[std::size_t(law.find("normal_stiffness"))];
-  double& shear = in[std::size_t(law.find("shear_stiffness"))];
+  const BondCode& edem = *find_bond_code("edem-bonding-v2");
   const std::size_t count = model.bonds.size();
   for (const char* name : {"kn", "ks", "kt", "kb"}) columns[name].resize(count, not_given);
   for (std::size_t i = 0; i < count; ++i) {
     const double radius = columns["radius"][i];
-    normal = columns["normal_stiffness"][i];
-    shear = columns["shear_stiffness"][i];
+    const double normal = columns["normal_stiffness"][i], shear = columns["shear_stiffness"][i];
     if (std::isnan(radius) || std::isnan(normal) || std::isnan(shear)) continue;
+    constexpr double disk_scale = 1, torque_feedback = 1;
+    const BondSite site{.length = 2 * radius, .radius_a = radius, .radius_b = radius};
     const SectionStiffness stiffness =
-        law.evaluate({.length = 2 * radius, .radius_a = radius, .radius_b = radius}, in).stiffness;
+        edem.realised(site, std::array{normal, shear, disk_scale, torque_feedback}).stiffness;
     columns["kn"][i] = stiffness.kn;
     columns["ks"][i] = stiffness.ks;
     columns["kt"][i] = stiffness.kt;
@@ -143,7 +140,8 @@ void take_bonds(TableColumns& table, ForeignModel& model, std::vector<Fault>& fa
     faults.push_back({table.find(columns::kt, faults)->place,
                       "column kt without ks: kt is the twisting stiffness here, not a tangential one",
                       "rename a tangential stiffness to ks"});
-  if (id && faults.size() == before) check_distinct(table.file, "bond", id->numbers, table.line, faults);
+  if (id && faults.size() == before)
+    table_of_ids("bond", {id->numbers.begin(), id->numbers.end()}, table.line, table.file, faults);
   if (faults.size() != before) return;
   model.bonds.resize(table.rows());
   for (std::size_t i = 0; i < model.bonds.size(); ++i)

@@ -6,7 +6,6 @@
 
 #include "formats/table/columns.hpp"
 #include "formats/table/model.hpp"
-#include "io/id_table.hpp"
 #include "io/nearest_name.hpp"
 
 namespace bondstatic {
@@ -27,20 +26,6 @@ void note_lines_left(const TableColumns& table, ImportNotes& notes) {
 }
 
 }  // namespace
-
-void check_distinct(const std::string& file, const std::string& what, const std::vector<double>& ids,
-                    const std::vector<int>& line, std::vector<Fault>& faults) {
-  IdTable first;
-  first.expect(Index(ids.size()));
-  LimitedFaults limited(faults);
-  for (std::size_t row = 0; row < ids.size(); ++row)
-    if (!first.add(Index(ids[row]), Index(row)) &&
-        !limited.add({file, line[row], 1},
-                     fmt::format("{} {} is there twice, first in line {}", what, Index(ids[row]),
-                                 line[std::size_t(*first.position_of(Index(ids[row])))]),
-                     "give each an id of its own"))
-      return;
-}
 
 void note_columns_left(const TableColumns& table, const std::vector<const TableColumn*>& taken,
                        const std::string& why, ImportNotes& notes) {

@@ -13,10 +13,6 @@ Wanted wanted_of_bonds(const std::string& name);
 void take_particles(TableColumns& table, ForeignModel& model, std::vector<Fault>& faults);
 void take_bonds(TableColumns& table, ForeignModel& model, std::vector<Fault>& faults);
 
-/// Faults where an id is there twice.
-void check_distinct(const std::string& file, const std::string& what, const std::vector<double>& ids,
-                    const std::vector<int>& line, std::vector<Fault>& faults);
-
 /// "columns not taken: ..." where there are any.
 void note_columns_left(const TableColumns& table, const std::vector<const TableColumn*>& taken,
                        const std::string& why, ImportNotes& notes);

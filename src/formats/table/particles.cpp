@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "formats/particle_ids.hpp"
 #include "formats/table/column_units.hpp"
 #include "formats/table/model.hpp"
 
@@ -79,7 +80,7 @@ void take_particles(TableColumns& table, ForeignModel& model, std::vector<Fault>
   if (mass) bring_to_si(*mass, mass_dimension, units, faults);
   if (density) bring_to_si(*density, dimension::density, units, faults);
   if (faults.size() != before) return;
-  if (id) check_distinct(table.file, "particle", id->numbers, table.line, faults);
+  if (id) table_of_ids("particle", {id->numbers.begin(), id->numbers.end()}, table.line, table.file, faults);
 
   model.particles.resize(table.rows());
   for (std::size_t i = 0; i < model.particles.size(); ++i) {

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <span>
 
+#include "formats/particle_ids.hpp"
 #include "formats/table/column_units.hpp"
 #include "formats/table/columns.hpp"
 #include "formats/table/foreign_table.hpp"
 #include "formats/table/model.hpp"
 #include "io/nearest_name.hpp"
 #include "io/number_field.hpp"
+#include "model/turning.hpp"
 
 namespace bondstatic {
 namespace {
@@ -70,18 +72,12 @@ std::vector<Vector3> vectors(TableColumns& table, std::span<const Aliases> alias
   return out;
 }
 
-Eigen::Quaterniond of_rotation_vector(const Vector3& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle))
-                   : Eigen::Quaterniond::Identity();
-}
-
 std::vector<Eigen::Quaterniond> orientations(TableColumns& table, std::vector<Fault>& faults) {
   std::vector<Eigen::Quaterniond> out;
   const std::vector<TableColumn*> part = components(table, columns::quaternion, nullptr, faults);
   if (part.empty()) {
     for (const Vector3& rotation : vectors(table, columns::rotation, dimension::none, nullptr, faults))
-      out.push_back(of_rotation_vector(rotation));
+      out.push_back(quaternion(rotation));
     return out;
   }
   LimitedFaults limited(faults);
@@ -113,11 +109,11 @@ std::optional<ParticleState> read_state_table(const std::string& path, const Rea
                       "add a column id, or one of: " + name_list(columns::particle_id)});
   if (faults.size() != before) return std::nullopt;
 
-  check_distinct(path, "particle", id->numbers, table->line, faults);
   ParticleState state;
   state.step = options.step.value_or(0);
   state.time = table->time;
   state.id.assign(id->numbers.begin(), id->numbers.end());
+  table_of_ids("particle", state.id, table->line, path, faults);
   state.position = vectors(*table, std::vector<Aliases>{columns::x, columns::y, columns::z},
                            dimension::length, nullptr, faults);
   const std::vector<Vector3> displacement =

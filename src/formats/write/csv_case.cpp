@@ -178,17 +178,6 @@ std::string loads_text(const Model& model) {
   return text;
 }
 
-std::string cell_text(const Model& model) {
-  if (!model.cell) return "";
-  const Cell& cell = *model.cell;
-  std::string periodic;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (cell.periodic[i]) periodic += fmt::format("{}\"{}\"", periodic.empty() ? "" : ", ", "xyz"[i]);
-  return fmt::format("\n[cell]\norigin = {}\nedges = [{}, {}, {}]\nperiodic = [{}]\n",
-                     toml_vector(cell.origin), toml_vector(cell.edges.col(0)), toml_vector(cell.edges.col(1)),
-                     toml_vector(cell.edges.col(2)), periodic);
-}
-
 }  // namespace
 
 void write_csv_case(const ExportInput& input, FileSet& files, ExportNotes& notes) {
@@ -201,7 +190,7 @@ void write_csv_case(const ExportInput& input, FileSet& files, ExportNotes& notes
 
   std::string text = "title = " + toml_text(input.title) + "\n";
   if (input.si) text += "# numbers are SI\n";
-  text += cell_text(model);
+  if (model.cell) text += toml_cell(*model.cell);
   if (some) {
     write_particles(model, dense, create(files, notes, particle_table), true);
     text += fmt::format("\n[[particles]]\nfile = \"{}\"\n", particle_table);

@@ -1,9 +1,8 @@
 #include "formats/write/export_formats.hpp"
 
-#include <cmath>
-
 #include "bondstatic/error.hpp"
 #include "model/cell.hpp"
+#include "model/turning.hpp"
 
 namespace bondstatic {
 
@@ -53,14 +52,7 @@ Vector3 relaxed_position(const ExportInput& input, std::size_t particle) {
 }
 
 Eigen::Quaterniond relaxed_orientation(const ExportInput& input, std::size_t particle) {
-  return turn_of(relaxed_motion(input, particle).tail<3>());
-}
-
-Eigen::Quaterniond turn_of(const Vector3& rotation) {
-  const double angle = rotation.norm();
-  if (angle == 0) return Eigen::Quaterniond::Identity();
-  const Vector3 axis = std::sin(0.5 * angle) / angle * rotation;
-  return {std::cos(0.5 * angle), axis.x(), axis.y(), axis.z()};
+  return quaternion(relaxed_motion(input, particle).tail<3>());
 }
 
 }  // namespace bondstatic

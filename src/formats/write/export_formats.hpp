@@ -64,8 +64,6 @@ Vector3 relaxed_position(const ExportInput& input, std::size_t particle);
 Eigen::Quaterniond relaxed_orientation(const ExportInput& input, std::size_t particle);
 /// The six components of a particle's motion; zero for particles that were left out.
 Vector6 relaxed_motion(const ExportInput& input, std::size_t particle);
-/// The turn about `rotation` by its length, in radians.
-Eigen::Quaterniond turn_of(const Vector3& rotation);
 
 void write_lammps(const ExportInput& input, FileSet& files, ExportNotes& notes);
 void write_liggghts(const ExportInput& input, FileSet& files, ExportNotes& notes);

@@ -9,8 +9,7 @@
 #include <iterator>
 #include <map>
 
-#include "bond/codes.hpp"
-#include "bond/contact_point.hpp"
+#include "bond/translate.hpp"
 #include "formats/write/export_formats.hpp"
 #include "formats/write/lammps_box.hpp"
 #include "formats/write/lammps_roles.hpp"
@@ -37,28 +36,22 @@ struct GranBonds {
 GranBonds gran_bonds(const ExportInput& input, const BondCode& code) {
   GranBonds out;
   std::map<std::vector<double>, Index> known;
-  const BondLaw& any_law = bond_laws().front();  // asked for the code's contact point, not for its own
   for (std::size_t k = 0; k < input.model.bonds.size(); ++k) {
     const BondSite site = bond_site(input.model, input.model.bonds[k]);
-    const double fraction = contact_fraction(code.contact_point, any_law, site);
     BondProperties wanted = input.properties[k];
     if (!wanted.moments_fed_back) wanted.stiffness.kt = wanted.stiffness.kb = 0;
-    if (wanted.stiffness.coupling != 0) {
-      wanted.stiffness = moved(wanted.stiffness, (fraction - wanted.fraction) * site.length);
-      wanted.fraction = fraction;
-    }
-    out.moved += std::abs(wanted.fraction - fraction) > rounding;
+    const TranslatedBond bond = translate(code, site, wanted);
+    out.moved += std::abs(bond.wanted.fraction - bond.realised.fraction) > rounding;
     out.departing += code.departure && code.departure(site) > rounding;
     out.longest = std::max(out.longest, site.length);
-    const std::vector<double> coefficients = code.stored_for(site, wanted);
-    const SectionStiffness real = code.realised(site, coefficients).stiffness, want = wanted.stiffness;
+    const SectionStiffness &real = bond.realised.stiffness, &want = bond.wanted.stiffness;
     double off = std::abs(want.coupling) > 0 ? 1 : 0;
     for (const auto& [a, b] : {std::pair{real.kt, want.kt}, std::pair{real.kb, want.kb}})
       if (a != b) off = std::max(off, std::abs(a - b) / std::max(std::abs(a), std::abs(b)));
     out.off_rotation += off > rounding;
     out.farthest = std::max(out.farthest, off);
-    const auto [found, is_new] = known.try_emplace(coefficients, Index(out.types.size()) + 1);
-    if (is_new) out.types.push_back(coefficients);
+    const auto [found, is_new] = known.try_emplace(bond.stored, Index(out.types.size()) + 1);
+    if (is_new) out.types.push_back(bond.stored);
     out.type.push_back(found->second);
   }
   return out;

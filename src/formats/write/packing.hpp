@@ -2,8 +2,7 @@
 //
 //     particles  id, x, y, z, radius, density, group
 //     bonds      id, a, b, what the file gives of kn, ks, kt, kb, contact_point, radius, ..., then the
-//     numbers
-//                that a static solve does not use (strengths, damping)
+//                numbers that a static solve does not use (strengths, damping)
 //
 // Columns of which no row has a value are not written.
 #pragma once

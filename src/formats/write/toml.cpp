@@ -28,4 +28,13 @@ std::string toml_vector(const Vector3& values) {
   return fmt::format("[{}, {}, {}]", toml_number(values[0]), toml_number(values[1]), toml_number(values[2]));
 }
 
+std::string toml_cell(const Cell& cell) {
+  std::string periodic;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (cell.periodic[i]) periodic += fmt::format("{}\"{}\"", periodic.empty() ? "" : ", ", "xyz"[i]);
+  return fmt::format("\n[cell]\nedges = [{}, {}, {}]\norigin = {}\nperiodic = [{}]\n",
+                     toml_vector(cell.edges.col(0)), toml_vector(cell.edges.col(1)),
+                     toml_vector(cell.edges.col(2)), toml_vector(cell.origin), periodic);
+}
+
 }  // namespace bondstatic

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "bondstatic/types.hpp"
+#include "bondstatic/model.hpp"
 
 namespace bondstatic {
 
@@ -14,5 +14,7 @@ std::string toml_text(std::string_view text);
 std::string toml_number(double value);
 /// "[1.0, 2.0, 3.0]"
 std::string toml_vector(const Vector3& values);
+/// [cell] of a case file, an empty line before it.
+std::string toml_cell(const Cell& cell);
 
 }  // namespace bondstatic

@@ -17,6 +17,7 @@ inline Vector3 rotation_vector(const Eigen::Quaterniond& q) {
   return (q.w() < 0 ? -angle : angle) / sine * q.vec();
 }
 
+/// The turn about `rotation` by its length, in radians.
 inline Eigen::Quaterniond quaternion(const Vector3& rotation) {
   const double angle = rotation.norm();
   const Vector3 sine = angle > 0 ? Vector3(std::sin(angle / 2) / angle * rotation) : Vector3(0.5 * rotation);

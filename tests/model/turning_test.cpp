@@ -1,4 +1,4 @@
-#include "compare/turning.hpp"
+#include "model/turning.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,15 @@ TEST(Turning, BothSignsOfAQuaternionAreOneRotation) {
   const Eigen::Quaterniond other(-q.w(), -q.x(), -q.y(), -q.z());
   EXPECT_LE((rotation_vector(other) - rotation_vector(q)).norm(), 1e-16);
   EXPECT_EQ(rotation_vector(Eigen::Quaterniond::Identity()), Vector3(Vector3::Zero()));
+}
+
+TEST(Turning, QuaternionIsTheExponentialOfTheRotationVector) {
+  EXPECT_TRUE(quaternion(Vector3::Zero()).isApprox(Eigen::Quaterniond::Identity(), 0));
+  const Eigen::Quaterniond q = quaternion(Vector3(0, 0, EIGEN_PI / 2));
+  EXPECT_DOUBLE_EQ(q.w(), std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(q.z(), std::sqrt(0.5));
+  // Small angles keep their digits, which an angle from w would lose.
+  EXPECT_EQ(quaternion(Vector3(2e-12, 0, 0)).x(), 1e-12);
 }
 
 TEST(Turning, QuaternionAndRotationVectorAreInverse) {
