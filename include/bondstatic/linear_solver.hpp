@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,20 @@ class LinearSolver {
   /// stops early or says too much costs time, never accuracy.
   virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) = 0;
 
+  /// solve() in two halves, where K = L L^T in some order of the unknowns: L^-1 b, and L^-T y back in theirs.
+  /// Unknowns that b does not reach stay exactly zero, and cost nothing. Corrections of low rank live on
+  /// them.
+  virtual bool has_halves() const { return false; }
+  virtual Eigen::MatrixXd forward(const Eigen::MatrixXd& b) { return no_halves(b); }
+  virtual Eigen::MatrixXd backward(Eigen::MatrixXd y) { return no_halves(y); }
+
   virtual bool iterative() const { return false; }
   virtual SolveReport last_solve() const { return {}; }
+
+ private:
+  [[noreturn]] static Eigen::MatrixXd no_halves(const Eigen::MatrixXd&) {
+    throw std::logic_error("this solver has no halves");
+  }
 };
 
 struct SolverInfo {

@@ -57,7 +57,7 @@ struct StaticReport {
   int threads_asked = 1;      ///< more than used where the machine was busy
   AnalysisReport analysis;    ///< of the largest system where supports differ between load cases
   int factorisations = 0;
-  Index iterations = 0;  ///< of an iterative solver, all rounds of the slowest load case; 0: a direct one
+  Index iterations = 0;  ///< all rounds, of an iterative solver or on an earlier factor; 0: a direct one
   std::vector<Phase> phases;
   double peak_bytes = 0;                    ///< resident peak of the process
   std::vector<std::vector<Index>> dropped;  ///< bodies left out, ids of their particles

@@ -6,6 +6,7 @@
 #include "bondstatic/error.hpp"
 #include "solver/backends.hpp"
 #include "solver/cholmod_factor.hpp"
+#include "solver/cholmod_halves.hpp"
 #include "solver/cost_model.hpp"
 #include "solver/expand_ordering.hpp"
 #include "solver/machine.hpp"
@@ -93,6 +94,25 @@ class Cholmod final : public LinearSolver {
                                                          right_hand_sides.cols());
     cholmod_l_free_dense(&x, &common_);
     return answer;
+  }
+
+  bool has_halves() const override { return true; }
+
+  Eigen::MatrixXd forward(const Eigen::MatrixXd& b) override {
+    const Eigen::Map<const Eigen::Matrix<Index, Eigen::Dynamic, 1>> order(
+        static_cast<const Index*>(factor_->Perm), b.rows());
+    Eigen::MatrixXd x = b(order, Eigen::all);
+    solve_lower(*factor_, x);
+    return x;
+  }
+
+  Eigen::MatrixXd backward(Eigen::MatrixXd y) override {
+    solve_upper(*factor_, y);
+    const Eigen::Map<const Eigen::Matrix<Index, Eigen::Dynamic, 1>> order(
+        static_cast<const Index*>(factor_->Perm), y.rows());
+    Eigen::MatrixXd x(y.rows(), y.cols());
+    x(order, Eigen::all) = y;
+    return x;
   }
 
  private:

@@ -37,6 +37,16 @@ Cost direct_cost(const AnalysisReport& analysis, const DirectRates& rates, int t
           analysis.predicted_bytes};
 }
 
+double factorisation_seconds(const AnalysisReport& analysis, const DirectRates& rates) {
+  return rates.per_flop * analysis.factor_flops + rates.per_factor_entry * double(analysis.factor_entries);
+}
+
+double kept_factor_seconds(const AnalysisReport& analysis, Index links) {
+  constexpr double back_substitution = 1.3e-9;  // an entry of the factor, which is read twice
+  constexpr double product = 1.5e-7;            // a link
+  return back_substitution * double(analysis.factor_entries) + product * double(links);
+}
+
 Cost linear_cost(Index bodies, Index links, const LinearRates& rates, int threads) {
   const double faster = std::pow(std::max(1, threads), rates.thread_exponent);
   return {(rates.seconds_per_body * double(bodies) + rates.seconds_per_link * double(links)) / faster,

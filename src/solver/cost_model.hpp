@@ -30,6 +30,11 @@ inline constexpr DirectRates cholmod_rates{1 / 40e9, 1.2e-8, 3.5e-7, 0.6};
 inline constexpr DirectRates eigen_rates{1 / 1.5e9, 1.2e-8, 3.5e-7, 0};
 Cost direct_cost(const AnalysisReport& analysis, const DirectRates& rates, int threads);
 
+/// Of one thread, likewise: a numerical factorisation alone, and an iteration that has such a factor as its
+/// preconditioner, one right-hand side.
+double factorisation_seconds(const AnalysisReport& analysis, const DirectRates& rates);
+double kept_factor_seconds(const AnalysisReport& analysis, Index links);
+
 /// Of a method whose work grows as the model does.
 struct LinearRates {
   double seconds_per_body;

@@ -75,6 +75,20 @@ class EigenSolver final : public LinearSolver {
     return permutation_.transpose() * factor_.solve(permuted).eval();
   }
 
+  bool has_halves() const override { return true; }
+
+  Eigen::MatrixXd forward(const Eigen::MatrixXd& b) override {
+    Eigen::MatrixXd x = permutation_ * b;
+    factor_.matrixL().solveInPlace(x);
+    return factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * x;
+  }
+
+  Eigen::MatrixXd backward(Eigen::MatrixXd y) override {
+    y = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * y;
+    factor_.matrixU().solveInPlace(y);
+    return permutation_.transpose() * y;
+  }
+
  private:
   std::vector<Index> order_bodies() const {
     const Index bodies = Index(graph_.offset.size()) - 1;

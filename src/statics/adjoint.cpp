@@ -84,6 +84,38 @@ Boundary adjoint_boundary(const BondNetwork& network, const std::vector<BondProp
   return boundary;
 }
 
+std::optional<Extended> multiple_of(const Boundary& state, const Boundary& adjoint) {
+  if (!state.strain.isZero(0) || !state.load_tail.empty()) return {};
+  const auto is_free = [&](std::size_t p, int i) { return ((state.free[p] >> i) & 1) != 0; };
+  Vector6 translation = Vector6::Zero();
+  for (std::size_t p = 0; p < state.free.size(); ++p)
+    for (int i = 0; i < 3; ++i)
+      if (!is_free(p, i) && state.prescribed[p][i] == 0) translation[i] = adjoint.prescribed[p][i];
+
+  double over = 0, under = 0;  // their ratio is the factor
+  const auto follows = [&](double of_state, const Extended& of_adjoint) {
+    if (of_state == 0 || of_adjoint.is_zero()) return of_state == 0 && of_adjoint.is_zero();
+    if (under == 0) over = to_double(of_adjoint), under = of_state;
+    return Extended(of_state) * over == of_adjoint * under;
+  };
+  for (std::size_t p = 0; p < state.free.size(); ++p) {
+    if (!adjoint.load_tail.empty() && !adjoint.load_tail[p].isZero(0)) return {};
+    for (int i = 0; i < 6; ++i)
+      if (!(is_free(p, i)
+                ? follows(state.load[p][i], adjoint.load[p][i])
+                : follows(state.prescribed[p][i], Extended(adjoint.prescribed[p][i]) - translation[i])))
+        return {};
+  }
+  if (under == 0) return {};
+  return Extended(over) / under;
+}
+
+BodyVectors<Extended> times(const Extended& factor, const BodyVectors<Extended>& motion) {
+  BodyVectors<Extended> product(motion);
+  for (Extended6& of_body : product) of_body *= factor;
+  return product;
+}
+
 void add_gradient(const BondNetwork& network, const std::vector<BondProperties>& properties,
                   const Functional& functional, const LinkWeights& weights, const SolvedState& state,
                   const BodyVectors<Extended>& adjoint, int threads, BondGradients& gradient) {
@@ -102,7 +134,7 @@ void add_gradient(const BondNetwork& network, const std::vector<BondProperties>&
     products.add(axis, felt, delta);
     // Equilibrium does not see moments that stay in the bond, those who ask for them do.
     if (!properties[k].moments_fed_back) products.kt = products.kb = 0.0;
-    products.add(axis, weights.resultants[k].cast<Extended>(), delta);
+    if (!weights.resultants[k].isZero(0)) products.add(axis, weights.resultants[k].cast<Extended>(), delta);
     SectionStiffness& of = gradient[k].stiffness;
     of.kn += to_double(products.kn);
     of.ks += to_double(products.ks);

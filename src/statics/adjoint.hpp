@@ -2,6 +2,8 @@
 // scalar's derivatives to the bonds' stiffness numbers. See sensitivity.hpp.
 #pragma once
 
+#include <optional>
+
 #include "bondstatic/network.hpp"
 #include "bondstatic/sensitivity.hpp"
 #include "model/boundary.hpp"
@@ -30,6 +32,13 @@ LinkWeights link_weights(const Model& model, const BondNetwork& network, const F
 /// What the adjoint motion is prescribed and loaded with.
 Boundary adjoint_boundary(const BondNetwork& network, const std::vector<BondProperties>& properties,
                           const Functional& functional, const LinkWeights& weights, const SolvedState& state);
+
+/// The factor that makes of what `state` is prescribed and loaded with what `adjoint` is, but for one
+/// translation of all bodies, which no bond feels: of a displacement under its own load, and of the reaction
+/// to a prescribed displacement, at either end. That multiple of the state's motion stands for the adjoint
+/// motion then. Nothing where there is none.
+std::optional<Extended> multiple_of(const Boundary& state, const Boundary& adjoint);
+BodyVectors<Extended> times(const Extended& factor, const BodyVectors<Extended>& motion);
 
 /// Adds the functional's part to each bond's gradient.
 void add_gradient(const BondNetwork& network, const std::vector<BondProperties>& properties,

@@ -58,9 +58,10 @@ Chosen analysed(const std::string& name, const BondNetwork& network, const FreeD
 }  // namespace
 
 Chosen choose(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
-              const StaticOptions& options, int threads) {
+              const StaticOptions& options, int threads, int solves) {
   const double limit = memory_at_hand(options);
-  const Cost multigrid = multigrid_cost(network, threads);
+  Cost multigrid = multigrid_cost(network, threads);
+  multigrid.seconds *= solves;
   if (options.solver != "auto") {
     Chosen chosen = analysed(options.solver, network, dofs, options, threads);
     if (chosen.analysis.predicted_bytes > limit)

@@ -19,9 +19,9 @@ struct Chosen {
 };
 
 /// Throws Error (invalid_input) for an unknown name, MemoryError with the alternative where the solve would
-/// not fit.
+/// not fit. `solves`: as many will follow on one factorisation, which an iterative solver pays for each.
 Chosen choose(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
-              const StaticOptions& options, int threads);
+              const StaticOptions& options, int threads, int solves = 1);
 
 /// The direct solver that may still do it where an iterative one, chosen by "auto", gave up. Null solver
 /// where none fits.

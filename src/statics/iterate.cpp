@@ -16,7 +16,6 @@ namespace {
 
 constexpr int most_refinements = 100;
 constexpr double last_digit = 0x1p-57;      // of a displacement
-constexpr double early_enough = 1e-20;      // of the largest displacement
 constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residual
 
 }  // namespace
@@ -33,21 +32,36 @@ Iterate::Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ra
   least_residual = largest_of_all(ranks, least_residual);
 }
 
+void Iterate::begin_from(const BodyVectors<Extended>& start, const FreeDofs& dofs, double came_by) {
+  begun_from_motion = true;
+  correction = came_by;
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index) { motion[p][i] = start[p][i]; });
+}
+
 Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
                                        const Boundary& boundary, const FreeDofs& dofs, bool iterative,
                                        int threads, Ranks* ranks) {
   // The first correction of an iterative solver is good to six digits: what it leaves is known well enough
   // in double, in a tenth of the time.
   const double length = network.rotation_length;
+  const Index own = dofs.first[std::size_t(network.own())];
+  if (iterative && steps == 0 && begun_from_motion) {
+    // What is left of a good start says nothing of how large the forces are.
+    const auto at_first =
+        bondstatic::residual<double>(network, incidence, boundary, boundary.prescribed, threads);
+    least_residual = std::max(
+        least_residual,
+        largest_of_all(ranks, to_unknowns(at_first, dofs, length).head(own).lpNorm<Eigen::Infinity>()));
+  }
   Eigen::VectorXd r =
-      iterative && steps == 1
+      iterative && steps == 1 && !begun_from_motion
           ? to_unknowns(bondstatic::residual<double>(network, incidence, boundary, converted<double>(motion),
                                                      threads),
                         dofs, length)
           : to_unknowns(bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs,
                         length);
   const double before = residual;
-  residual = largest_of_all(ranks, r.head(dofs.first[std::size_t(network.own())]).lpNorm<Eigen::Infinity>());
+  residual = largest_of_all(ranks, r.head(own).lpNorm<Eigen::Infinity>());
   if (steps == 0) first_residual = std::max(residual, least_residual);
   force_contraction = before > 0 ? residual / before : 1;
   return r;
@@ -56,7 +70,7 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Inciden
 void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks) {
   const double before = correction;
   correction = largest_of_all(ranks, step.lpNorm<Eigen::Infinity>());
-  contraction = steps > 0 && before > 0 ? correction / before : 1;
+  contraction = before > 0 ? correction / before : 1;
   size = 0;
   for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
     const double scale = i < 3 ? 1 : length;
@@ -70,7 +84,8 @@ void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double leng
 
 // Corrections that stop shrinking far above rounding belong to a factor that says nothing of K; near
 // rounding they are the noise of the residual, and the answer is as good as it gets.
-void Iterate::judge_direct(double pivot_ratio, bool early) {
+void Iterate::judge_direct(double pivot_ratio, double enough) {
+  constexpr double doubt = 16;  // one round may contract less than the last
   const bool at_rounding = correction <= extended_rounding * size, stagnant = setbacks > 0;
   if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps > most_refinements)
     throw AccuracyError(
@@ -80,7 +95,7 @@ void Iterate::judge_direct(double pivot_ratio, bool early) {
                     "the rest, or for a "
                     "support that is missing in all but rounding",
                     correction / size, pivot_ratio));
-  done = at_rounding || stagnant || (early && steps > 1 && expected_error() <= early_enough * size);
+  done = at_rounding || stagnant || doubt * expected_error() <= enough * size;
 }
 
 // A single round may fall back: a slow mode shows only after the fast ones are gone.
@@ -95,7 +110,7 @@ void Iterate::judge_iterative(const SolveReport& last) {
         "that hang by bonds many decades softer than the rest, and for long slender parts",
         correction / size, steps, last.iterations, last.reduction));
   // The second round is left out of account: its residual was formed in double.
-  const bool settled = steps > 2 && contraction < 0.5;
+  const bool settled = steps > (begun_from_motion ? 1 : 2) && contraction < 0.5;
   done = residual == 0 || correction <= extended_rounding * size ||
          (settled && contraction * correction <= last_digit * size &&
           force_contraction * residual <= force_rounding * first_residual);

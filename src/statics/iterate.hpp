@@ -22,10 +22,15 @@ struct Iterate {
   double least_size = 0, least_residual = 0;
   int steps = 0;
   int setbacks = 0;  ///< rounds in a row that did not contract
+  bool begun_from_motion = false;
   bool done = false;
 
   /// At prescribed values.
   Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ranks);
+
+  /// At `start` where motions are unknown. `came_by`: size of the correction that led there, 0 where it is
+  /// not known; by how much the next one is smaller then tells how far it can be trusted.
+  void begin_from(const BodyVectors<Extended>& start, const FreeDofs& dofs, double came_by);
 
   /// The right-hand side of the next correction; on several ranks, of own bodies.
   Eigen::VectorXd next_residual(const BondNetwork& network, const Incidence& incidence,
@@ -36,8 +41,8 @@ struct Iterate {
   void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks);
 
   /// Whether it is done, by a direct solver or an iterative one. Both throw AccuracyError where corrections
-  /// do not contract. `early`: what the next correction would be counts, not the last one.
-  void judge_direct(double pivot_ratio, bool early);
+  /// do not contract. `enough`: of the answer, what the next correction would be at most.
+  void judge_direct(double pivot_ratio, double enough);
   void judge_iterative(const SolveReport& last);
 
   /// What the next correction would be, were it to contract as the last one did.

@@ -18,17 +18,21 @@ struct Rounds {
   Effort effort;
 };
 
-// Rounds of residual and correction, all load cases together. `early`: as soon as the corrections tell that
-// what is left would not show.
+// Rounds of residual and correction, all load cases together, until what is left is below `enough` of the
+// largest entry, by what the corrections tell.
 Rounds refine(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
               const std::vector<const Boundary*>& cases, LinearSolver* solver, double pivot_ratio,
-              int threads, bool early, const std::function<void(const std::string&)>& progress,
-              Ranks* ranks) {
+              int threads, double enough, const std::function<void(const std::string&)>& progress,
+              Ranks* ranks, const FromBefore& before) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
   Rounds rounds;
   auto& [iterates, effort] = rounds;
-  for (const Boundary* boundary : cases) iterates.emplace_back(network, *boundary, ranks);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    iterates.emplace_back(network, *cases[c], ranks);
+    if (before.motions)
+      iterates.back().begin_from((*before.motions)[c], dofs, before.came_by.empty() ? 0 : before.came_by[c]);
+  }
   const auto all_done = [&] {
     return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
   };
@@ -45,11 +49,11 @@ Rounds refine(const BondNetwork& network, const Incidence& incidence, const Free
       if (iterative)
         iterates[c].judge_iterative(solver->last_solve());
       else
-        iterates[c].judge_direct(pivot_ratio, early);
+        iterates[c].judge_direct(pivot_ratio, enough);
     }
-    if (!iterative) continue;
     const SolveReport last = solver->last_solve();
     effort.iterations += last.iterations;
+    if (!iterative) continue;
     if (!last.note.empty()) effort.notes.push_back(last.note);
     if (progress)
       progress(
@@ -65,8 +69,8 @@ std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, con
                                                  const FreeDofs& dofs,
                                                  const std::vector<const Boundary*>& cases,
                                                  LinearSolver* solver, double pivot_ratio, int threads) {
-  Rounds rounds =
-      refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, true, nullptr, nullptr);
+  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, early_enough, nullptr,
+                         nullptr, {});
   std::vector<BodyVectors<Extended>> motions;
   for (Iterate& iterate : rounds.iterates) motions.push_back(std::move(iterate.motion));
   return motions;
@@ -75,37 +79,38 @@ std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, con
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
                                    LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
-                                   const std::function<void(const std::string&)>& progress, Ranks* ranks) {
+                                   const std::function<void(const std::string&)>& progress, Ranks* ranks,
+                                   const FromBefore& before) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
-  Rounds rounds =
-      refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, false, progress, ranks);
+  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads,
+                         before.motions ? before.enough : extended_rounding, progress, ranks, before);
   std::vector<Iterate>& iterates = rounds.iterates;
   effort = std::move(rounds.effort);
   Eigen::MatrixXd right_hand_sides = Eigen::MatrixXd::Zero(dofs.unknowns(), Index(cases.size()));
 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    iterates[c].drop_negligible(dofs, length, iterative ? iterates[c].expected_error() : 0);
+    iterates[c].drop_negligible(dofs, length, iterative || before.motions ? iterates[c].expected_error() : 0);
     answers.push_back(converted<double>(iterates[c].motion));
-    if (!iterative)
+    if (!iterative && !before.in_brief)
       right_hand_sides.col(Index(c)) =
           to_unknowns(rounding_forces(network, incidence, answers[c], cases[c]->strain), dofs, length);
   }
   // What an iterative solver leaves is far above the rounding of the natural form: one solve is saved.
-  if (solver && !iterative) right_hand_sides = solver->solve(right_hand_sides);
+  if (solver && !iterative && !before.in_brief) right_hand_sides = solver->solve(right_hand_sides);
 
   std::vector<Refined> refined(cases.size());
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Accuracy& accuracy = refined[c].accuracy;
     accuracy.pivot_ratio = pivot_ratio;
     accuracy.refinements = std::max(0, iterates[c].steps - 1);
-    const auto measure = iterative ? backward_error<double> : backward_error<Extended>;
+    const auto measure = iterative || before.in_brief ? backward_error<double> : backward_error<Extended>;
     accuracy.backward_error = largest_of_all(
         ranks, measure(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
     const double left =
         iterative ? 2 * iterates[c].expected_error()
-                  : 2 * iterates[c].correction +
+                  : 4 * iterates[c].expected_error() +
                         4 * largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());
     if (iterates[c].size > 0) accuracy.forward_error = 0x1p-53 + negligible + left / iterates[c].size;
     refined[c].motion = std::move(iterates[c].motion);

@@ -23,25 +23,42 @@
 
 namespace bondstatic {
 
+/// Of the largest entry: as far as derivatives, and answers that others begin from, need to go.
+inline constexpr double early_enough = 1e-20;
+
 struct Refined {
   BodyVectors<Extended> motion;  ///< prescribed values included; what is negligible is zero
   Accuracy accuracy;             ///< errors and number of refinements; balances are left to recovery
 };
 
-/// What iterative solves took in all: iterations of the slowest load case, notes for the user.
+/// What solves took in all where they iterate: iterations of the slowest load case, notes for the user.
 struct Effort {
   Index iterations = 0;
   std::vector<std::string> notes;
 };
 
+/// Where a solve goes on from.
+struct FromBefore {
+  /// Of all cases; prescribed values are replaced by the boundary's own. Null: from these alone.
+  const std::vector<BodyVectors<Extended>>* motions = nullptr;
+  /// A direct solver ends where what is left is below this part of the largest entry.
+  double enough = early_enough;
+  /// Sizes of the corrections that led to `motions`, one a case; empty where they are not known.
+  std::vector<double> came_by = {};
+  /// Errors as they can be had without another sweep or solve: the backward one in double, the forward one
+  /// without what the rounding of the natural form does to the answer.
+  bool in_brief = false;
+};
+
 /// Solves all load cases of one factorisation at once; `solver` may be null where nothing is unknown. Throws
 /// AccuracyError where corrections do not contract. `progress` hears of each round of an iterative solver;
-/// may be null. `ranks`: where the network is one rank's share.
+/// may be null. `ranks`: where the network is one rank's share. `before`: absent, from
+/// the prescribed values to the last digit.
 std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& incidence,
                                    const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
                                    LinearSolver* solver, double pivot_ratio, int threads, Effort& effort,
                                    const std::function<void(const std::string&)>& progress,
-                                   Ranks* ranks = nullptr);
+                                   Ranks* ranks = nullptr, const FromBefore& before = {});
 
 /// The motions alone, as far as derivatives need them: what is left is below 1e-20 of the largest entry, by
 /// what the corrections of a direct solver tell. One process. Throws likewise.

@@ -36,6 +36,10 @@ void check_pivots(const Model& model, const FreeDofs& dofs, const FactorReport& 
       where, factor.pivot_ratio));
 }
 
+// What is left of an answer, of its largest entry, where a solve goes on: one that is rounded to double is
+// then the same whatever order sums were taken in, but for one digit in a thousand million.
+constexpr double far_below_last_digit = 0x1p-80;
+
 /// The same pattern of K, and the same mechanisms.
 bool alike(const Link& l, const Link& r) {
   const auto resists = [](const SectionStiffness& c) {
@@ -75,7 +79,7 @@ std::vector<StaticRun::Group> StaticRun::group_by_supports() const {
   return groups;
 }
 
-void StaticRun::prepare(Group& group, Stopwatch& timed) const {
+void StaticRun::prepare(Group& group, bool keep, Stopwatch& timed) const {
   // 3. Motions that cost no energy never reach the solver.
   const auto& free = boundaries_[group.cases.front()].free;
   group.held = timed("mechanisms", [&] {
@@ -86,12 +90,23 @@ void StaticRun::prepare(Group& group, Stopwatch& timed) const {
 
   // 4. Choose a solver; order and predict, so that what does not fit ends before it is begun.
   const FreeDofs& dofs = group.held.dofs;
+  const int solves = keep ? 3 : 1;  // the state, its derivatives, the next state
   if (largest_of_all(ranks_, double(dofs.unknowns())) > 0)
-    group.chosen = timed("analysis", [&] { return choose(network_, incidence_, dofs, options_, threads_); });
+    group.chosen =
+        timed("analysis", [&] { return choose(network_, incidence_, dofs, options_, threads_, solves); });
+
+  // A direct solver of our own, which tells what its factor takes, may answer for the next numbers, too.
+  Chosen& chosen = group.chosen;
+  if (!keep || !chosen.solver || !(chosen.analysis.factor_flops > 0)) return;
+  const DirectRates& rates = chosen.name == "cholmod" ? cholmod_rates : eigen_rates;
+  auto kept = std::make_unique<KeptFactor>(std::move(chosen.solver), chosen.analysis, rates, threads_);
+  group.kept = kept.get();
+  chosen.solver = std::move(kept);
 }
 
 // Factorises and refines the load cases of a group.
 std::vector<Refined> StaticRun::factorise_and_refine(Group& group, const std::vector<const Boundary*>& loads,
+                                                     const std::vector<BodyVectors<Extended>>& start,
                                                      Stopwatch& timed, StaticReport& report) const {
   LinearSolver* const solver = group.chosen.solver.get();
   const FreeDofs& dofs = group.held.dofs;
@@ -99,28 +114,38 @@ std::vector<Refined> StaticRun::factorise_and_refine(Group& group, const std::ve
   FactorReport factor;
   if (solver) {
     factor = timed(iterative ? "set-up" : "factorisation", [&] { return solver->factorise(network_, dofs); });
-    ++report.factorisations;
     check_pivots(model_, dofs, factor);
   }
   group.pivot_ratio = factor.pivot_ratio;
   Effort effort;
   auto refined = timed(iterative ? "iterations" : "refinement", [&] {
     return solve_refined(network_, incidence_, dofs, loads, solver, factor.pivot_ratio, threads_, effort,
-                         options_.progress, ranks_);
+                         options_.progress, ranks_,
+                         {.motions = start.empty() ? nullptr : &start, .enough = far_below_last_digit});
   });
+  if (solver && !(group.kept && group.kept->kept())) ++report.factorisations;
   report.iterations = std::max(report.iterations, effort.iterations);
   for (const std::string& note : effort.notes) report.warnings.push_back(group.chosen.name + " " + note);
   return refined;
 }
 
+std::string StaticRun::reason_of(const Group& group) {
+  if (!group.kept || !group.kept->kept()) return group.chosen.reason;
+  return fmt::format(
+      "{}: on the factor of an earlier solve, from which stiffness differs by factors within {:.3g}",
+      group.chosen.name, group.kept->kept()->spread());
+}
+
 std::vector<Refined> StaticRun::solved(Group& group, const std::vector<const Boundary*>& loads,
-                                       Stopwatch& timed, StaticReport& report) const {
+                                       const std::vector<BodyVectors<Extended>>& start, Stopwatch& timed,
+                                       StaticReport& report) const {
   Chosen& chosen = group.chosen;
   try {
-    return factorise_and_refine(group, loads, timed, report);
+    return factorise_and_refine(group, loads, start, timed, report);
   } catch (const AccuracyError&) {
     if (chosen.reason.empty() || !chosen.solver->iterative()) throw;
     chosen.solver.reset();
+    group.kept = nullptr;
     Chosen direct =
         timed("analysis", [&] { return choose_direct(network_, group.held.dofs, options_, threads_); });
     if (!direct.solver) throw;
@@ -128,7 +153,7 @@ std::vector<Refined> StaticRun::solved(Group& group, const std::vector<const Bou
     direct.reason = direct.name + ": " + chosen.name + " did not converge";
     chosen = std::move(direct);
   }
-  return factorise_and_refine(group, loads, timed, report);
+  return factorise_and_refine(group, loads, start, timed, report);
 }
 
 StaticSolution StaticRun::solve(bool keep) {
@@ -164,10 +189,12 @@ StaticSolution StaticRun::solve(bool keep) {
     groups_ = group_by_supports();
   }
   solution.cases.resize(boundaries_.size());
-  motions_.assign(keep ? boundaries_.size() : 0, {});
+  auto before = std::exchange(motions_, {});
+  if (!on_the_same_analysis) before.clear();
+  motions_.resize(keep ? boundaries_.size() : 0);
 
   for (Group& group : groups_) {
-    if (!on_the_same_analysis) prepare(group, timed);  // steps 3 and 4
+    if (!on_the_same_analysis) prepare(group, keep, timed);  // steps 3 and 4
     report.dropped.insert(report.dropped.end(), group.held.dropped.begin(), group.held.dropped.end());
     for (const std::size_t c : group.cases) {
       const std::string lost = lost_loads(network_, group.held, boundaries_[c], model_.load_cases[c], ranks_);
@@ -176,13 +203,17 @@ StaticSolution StaticRun::solve(bool keep) {
 
     // 5. Factorise, solve and refine until the last digit stands.
     std::vector<const Boundary*> loads;
-    for (const std::size_t c : group.cases) loads.push_back(&boundaries_[c]);
-    std::vector<Refined> refined = solved(group, loads, timed, report);
+    std::vector<BodyVectors<Extended>> start;  // of those that go on: what they ended at
+    for (const std::size_t c : group.cases) {
+      loads.push_back(&boundaries_[c]);
+      if (!before.empty()) start.push_back(std::move(before[c]));
+    }
+    std::vector<Refined> refined = solved(group, loads, start, timed, report);
     if (!group.chosen.name.empty() &&
         group.chosen.analysis.factor_entries >= report.analysis.factor_entries) {
       report.analysis = group.chosen.analysis;
       report.solver = group.chosen.name;
-      report.solver_reason = group.chosen.reason;
+      report.solver_reason = reason_of(group);
     }
     if (!keep) group.chosen.solver.reset();  // recovery needs memory, too
 
@@ -238,19 +269,27 @@ std::vector<BondGradients> StaticRun::gradients(const std::vector<Functionals>& 
       std::vector<LinkWeights> weights;
       std::vector<Boundary> boundaries;
       std::vector<const Boundary*> loads;
+      std::vector<std::optional<Extended>> multiples;
       for (std::size_t t = first; t < first + count; ++t) {
         const SolvedState state = state_of(tasks[t]);
         weights.push_back(link_weights(model_, network_, *tasks[t].functional, state));
         boundaries.push_back(
             adjoint_boundary(network_, properties_, *tasks[t].functional, weights.back(), state));
       }
-      for (const Boundary& boundary : boundaries) loads.push_back(&boundary);
-      const auto adjoint = solve_adjoint(network_, incidence_, group.held.dofs, loads,
-                                         group.chosen.solver.get(), group.pivot_ratio, threads_);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto c = std::size_t(tasks[first + i].functional->load_case);
+        multiples.push_back(multiple_of(boundaries_[c], boundaries[i]));
+        if (!multiples.back()) loads.push_back(&boundaries[i]);
+      }
+      const auto solved_for = solve_adjoint(network_, incidence_, group.held.dofs, loads,
+                                            group.chosen.solver.get(), group.pivot_ratio, threads_);
+      auto next = solved_for.begin();
       for (std::size_t i = 0; i < count; ++i) {
         const Task& task = tasks[first + i];
-        add_gradient(network_, properties_, *task.functional, weights[i], state_of(task), adjoint[i],
-                     threads_, gradients[task.scalar]);
+        const SolvedState state = state_of(task);
+        const BodyVectors<Extended> adjoint = multiples[i] ? times(*multiples[i], state.motion) : *next++;
+        add_gradient(network_, properties_, *task.functional, weights[i], state, adjoint, threads_,
+                     gradients[task.scalar]);
       }
     }
   }

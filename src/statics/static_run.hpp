@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bondstatic/sensitivity.hpp"
+#include "solver/kept_factor.hpp"
 #include "statics/choose.hpp"
 #include "statics/held.hpp"
 #include "statics/partners.hpp"
@@ -33,14 +34,18 @@ class StaticRun {
     Held held;
     Chosen chosen;
     double pivot_ratio = 1;
+    KeptFactor* kept = nullptr;  ///< the chosen solver, where it is one
   };
 
+  static std::string reason_of(const Group& group);
   bool goes_on(const BondNetwork& network, const std::vector<Boundary>& boundaries) const;
   std::vector<Group> group_by_supports() const;
-  void prepare(Group& group, Stopwatch& timed) const;
+  void prepare(Group& group, bool keep, Stopwatch& timed) const;
   std::vector<Refined> factorise_and_refine(Group& group, const std::vector<const Boundary*>& loads,
-                                            Stopwatch& timed, StaticReport& report) const;
-  std::vector<Refined> solved(Group& group, const std::vector<const Boundary*>& loads, Stopwatch& timed,
+                                            const std::vector<BodyVectors<Extended>>& start, Stopwatch& timed,
+                                            StaticReport& report) const;
+  std::vector<Refined> solved(Group& group, const std::vector<const Boundary*>& loads,
+                              const std::vector<BodyVectors<Extended>>& start, Stopwatch& timed,
                               StaticReport& report) const;
 
   const Model& model_;

@@ -40,9 +40,16 @@ BodyVectors<Scalar> link_resultants(const BondNetwork& network, const BodyVector
                                     int threads, const Matrix3& strain = Matrix3::Zero()) {
   const Index count = Index(network.links.size());
   BodyVectors<Scalar> q(network.links.size());
+  // Before the first correction only prescribed bodies move.
+  const bool strained = !strain.isZero(0);
+  const auto at_rest = [&](Index body) { return motion[std::size_t(body)].isZero(Scalar(0.0)); };
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && count > worth_threads)
   for (Index k = 0; k < count; ++k) {
     const Link& link = network.links[std::size_t(k)];
+    if (!strained && at_rest(link.a) && at_rest(link.b)) {
+      q[std::size_t(k)].setZero();
+      continue;
+    }
     q[std::size_t(k)] = resultants<Scalar>(link.stiffness, bond_axis<Scalar>(link),
                                            link_motion<Scalar>(link, motion, strain));
   }
@@ -74,6 +81,7 @@ BodyVectors<Scalar> gather_forces(const BondNetwork& network, const Incidence& i
   for (Index p = 0; p < network.bodies; ++p) {
     Vector6T<Scalar> sum = Vector6T<Scalar>::Zero();
     for (const Index k : incidence.of(p)) {
+      if (q[std::size_t(k)].isZero(Scalar(0.0))) continue;
       const Link& link = network.links[std::size_t(k)];
       sum -= link.a == p ? force_on_a<Scalar>(link, q[std::size_t(k)])
                          : force_on_b<Scalar>(link, q[std::size_t(k)]);

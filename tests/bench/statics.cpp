@@ -13,6 +13,7 @@
 #include "bench/tables.hpp"
 #include "bench/threads.hpp"
 #include "bench/timing.hpp"
+#include "bondstatic/sensitivity.hpp"
 #include "support/models.hpp"
 
 namespace bondstatic::bench {
@@ -86,6 +87,35 @@ double print_solver(const Model& model, const std::string& solver) {
   return on_one;
 }
 
+// An evaluation of a calibration: the state and the derivative of one output. After the first it has the
+// analysis already, and for numbers close by the factor, too.
+void print_evaluations() {
+  constexpr int threads = 1, repeats = 5;
+  Model model = cubic_lattice(13);
+  Functional settlement;
+  settlement.displacement.emplace_back(12, test::vector6(0, 0, 1));
+  struct Evaluation {
+    const char* name;
+    double poisson;
+    std::vector<double> seconds = {};
+  } evaluations[] = {
+      {"first", 0.2}, {"Poisson's ratio from 0.2 to -0.5", -0.5}, {"by 1e-6 more", -0.5 + 1e-6}};
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    StaticAnalysis analysis(model, on_threads("cholmod", threads));
+    for (Evaluation& each : evaluations) {
+      model.blocks[0].parameters[1] = each.poisson;
+      each.seconds.push_back(seconds_of([&] {
+        analysis.solve();
+        analysis.gradients({{settlement}});
+      }));
+    }
+  }
+  const double first = median(evaluations[0].seconds);
+  for (const Evaluation& each : evaluations)
+    fmt::print("| 13x13x13 lattice, evaluation with derivatives, {}, {} | {:.0f} ms, {:.2f} of the first |\n",
+               each.name, plural(threads), 1e3 * median(each.seconds), median(each.seconds) / first);
+}
+
 }  // namespace
 
 void print_statics() {
@@ -104,6 +134,7 @@ void print_statics() {
       "cholmod, {:.0f} as multigrid, on 1 thread |\n",
       naive, naive / direct, naive / multigrid);
   print_chain_errors();
+  print_evaluations();
 }
 
 }  // namespace bondstatic::bench
