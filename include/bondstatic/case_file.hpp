@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bondstatic/calibration.hpp"
+#include "bondstatic/fracture.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
 #include "bondstatic/relaxation.hpp"
@@ -17,6 +18,7 @@ namespace bondstatic {
 enum class Purpose {
   statics,
   dynamics,  ///< a run through time: every particle needs a density
+  fracture,  ///< bonds break: some need a strength
 };
 
 struct Case {
@@ -27,6 +29,7 @@ struct Case {
   RelaxOptions relax;  ///< of [dynamics] and [check]
   std::vector<Output> outputs;
   std::optional<CalibrationPlan> calibration;
+  FractureOptions fracture;  ///< of [fracture]
   std::vector<std::string> warnings;
   std::string resolved;  ///< the case as TOML with defaults and overrides filled in
   bool si = false;       ///< a unit was given somewhere: all numbers are SI

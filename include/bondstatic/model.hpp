@@ -40,6 +40,26 @@ struct ContactPoint {
   double value = 0;
 };
 
+/// How strong the bonds of one block are. `parameters` follow the order of the criterion's list, NaN stands
+/// for "not given"; `overrides` as in BondBlock. Strengths scatter from bond to bond, each drawn on its own
+/// or all of a bond `together`; a draw depends on the seed, the ids of the two particles and which bond
+/// between them it is, not on any order, and is repeated until it is positive.
+struct BondStrength {
+  enum class Scatter {
+    none,
+    normal,   ///< about the given strength; `spread` is the coefficient of variation
+    uniform,  ///< the given strength -+ `spread`, in its own unit
+    weibull,  ///< the given strength is the scale (63 % are below); `spread` is the modulus
+  };
+  std::string criterion;
+  std::vector<double> parameters;
+  std::map<std::size_t, std::vector<double>> overrides = {};
+  Scatter scatter = Scatter::none;
+  std::vector<double> spread = {};  ///< of each parameter; 0: it does not scatter
+  Index seed = 0;
+  bool together = false;
+};
+
 /// What the bonds of one [[bonds]] block share. `parameters` follow the order of the law's parameter list;
 /// NaN stands for "not given". `overrides` replace a parameter for single bonds (columns of a bond file):
 /// overrides.at(p)[k] belongs to the k-th bond of the block, NaN where the file leaves it empty. `fractions`
@@ -51,6 +71,7 @@ struct BondBlock {
   ContactPoint contact_point;
   std::map<std::size_t, std::vector<double>> overrides;
   std::vector<double> fractions = {};
+  std::optional<BondStrength> strength = {};  ///< absent: they never break
 };
 
 /// A bond between two particles, given by their position in Model::particles.

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "bondstatic/check.hpp"
+#include "bondstatic/fracture.hpp"
 #include "bondstatic/model.hpp"
 #include "bondstatic/output.hpp"
 #include "bondstatic/relaxation.hpp"
@@ -101,11 +102,53 @@ void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& 
                       const std::vector<OutputValue>& outputs, const std::string& folder,
                       const std::function<void()>& checkpoint = {});
 
+// A run of fracture leaves the tables and the grid of its last state, and beside them
+//
+// fracture.csv   a row a broken bond: step (its event, from 1), factor, load, displacement, bond, a, b (ids),
+//                mode, utilisation, runner_up, released, strain_energy, work, dissipated, factor_after,
+//                load_after, displacement_after, avalanche (from 1), and the outputs just before the event
+// fracture.svg   load over displacement
+// fracture.pvd   the states that were shown, fracture_NNNN.vtu; NNNN events had happened by then. That is the
+//                time of the series, as displacement may fall
+//
+// In bonds.csv and in the grids bonds have break_step, the step in which they broke (0: whole), and
+// utilisation (empty: broken, left out, or without a strength). A broken bond carries zero.
+//
+// As long as such a run is under way, what it has shown lies in fracture.unfinished, with a fracture.pvd that
+// ParaView can follow, and what it found in fracture.checkpoint.
+
+/// What the hooks of a run have heard of it.
+struct FractureRecord {
+  std::vector<HistoryColumn> outputs;  ///< of each event, in the state just before it
+  std::vector<Index> states;           ///< shown, ascending: how many events had happened by then
+};
+
+/// Adds a state to those that are shown, whole or not at all; `break_event` as in Fracture. The same state
+/// may come again. Throws Error that names the path.
+void show_fracture(const Model& model, const State& state, const std::vector<Index>& break_event,
+                   FractureRecord& record, const std::string& folder);
+
+std::vector<std::string> fracture_files(const FractureRecord& record);
+/// `outputs`: in the last state.
+std::string fracture_json(const Model& model, const RunInfo& run, const FractureOptions& asked,
+                          const Fracture& fracture, const std::vector<OutputValue>& outputs,
+                          const std::vector<std::string>& files);
+/// Throws as check_result_folder(), and where a state of `record`, the run to go on with, is not there. The
+/// states of a run that nobody can go on with are removed.
+void check_fracture_folder(const std::string& folder, const FractureRecord& record = {});
+/// As write_results(). Where the run was interrupted, it can be gone on with afterwards.
+void write_fracture(const Model& model, const RunInfo& run, const FractureOptions& asked,
+                    const Fracture& fracture, const FractureRecord& record,
+                    const std::vector<OutputValue>& outputs, const std::string& folder,
+                    const std::function<void()>& checkpoint = {});
+
 /// The certificate as JSON.
 std::string certificate_json(const Model& model, const RunInfo& run, const Certificate& certificate);
 
 /// Name of the checkpoint of a run to rest, inside the folder of its results.
 inline constexpr const char* checkpoint_file = "relax.checkpoint";
+/// Likewise, of a run of fracture.
+inline constexpr const char* fracture_checkpoint_file = "fracture.checkpoint";
 
 /// The worst of each figure over the load cases.
 Accuracy worst_accuracy(const StaticSolution& solution);

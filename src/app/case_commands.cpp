@@ -64,10 +64,10 @@ ParsedCommand sweep_command(CLI::App& app) {
           true};
 }
 
-ParsedCommand relax_command(CLI::App& app) {
-  CLI::App* parser =
-      app.add_subcommand("relax", "run the case through time to its state of rest (explicit DEM)");
-  const auto arguments = std::make_shared<RelaxArguments>();
+ParsedCommand long_run_command(CLI::App& app, const char* name, const char* what,
+                               ExitCode (*run)(const LongRunArguments&)) {
+  CLI::App* parser = app.add_subcommand(name, what);
+  const auto arguments = std::make_shared<LongRunArguments>();
   add_solve_options(*parser, arguments->solve);
   parser->add_flag("--json", arguments->solve.json, "print the answer as JSON");
   parser->add_flag("--resume", arguments->resume, "go on from the checkpoint in DIR where there is one");
@@ -77,11 +77,21 @@ ParsedCommand relax_command(CLI::App& app) {
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
   return {parser,
-          [arguments](const std::vector<std::string>& backend_options, Ranks*) {
+          [arguments, run](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->solve.backend_options = backend_options;
-            return relax(*arguments);
+            return run(*arguments);
           },
           true};
+}
+
+ParsedCommand relax_command(CLI::App& app) {
+  return long_run_command(app, "relax", "run the case through time to its state of rest (explicit DEM)",
+                          relax);
+}
+
+ParsedCommand fracture_command(CLI::App& app) {
+  return long_run_command(app, "fracture",
+                          "which bond breaks first, at what load, and what follows: [fracture]", fracture);
 }
 
 ParsedCommand check_command(CLI::App& app) {
@@ -115,8 +125,8 @@ ParsedCommand calibrate_command(CLI::App& app) {
 }  // namespace
 
 std::vector<ParsedCommand> add_case_commands(CLI::App& app) {
-  return {solve_command(app), sweep_command(app), relax_command(app), check_command(app),
-          calibrate_command(app)};
+  return {solve_command(app),    sweep_command(app), relax_command(app),
+          fracture_command(app), check_command(app), calibrate_command(app)};
 }
 
 }  // namespace bondstatic

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands.hpp"
-#include "app/terminal.hpp"
-#include "io/nearest_name.hpp"
+#include "app/parameter_listing.hpp"
 
 namespace bondstatic {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string text_of(const BondCode& code) {
   TextTable stored;
@@ -73,11 +68,7 @@ const BondCode& bond_code(const std::string& name) {
   if (const BondCode* code = find_bond_code(name)) return *code;
   std::vector<std::string> names;
   for (const BondCode& code : bond_codes()) names.push_back(code.name);
-  const std::string nearest = nearest_name(name, names);
-  throw Error(
-      ExitCode::invalid_input,
-      fmt::format("unknown code \"{}\"{}\n    cure: choose one of {}", name,
-                  nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest), name_list(names)));
+  throw unknown_name("code", name, names);
 }
 
 ExitCode codes(const std::string& name, bool json) {

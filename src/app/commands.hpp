@@ -34,12 +34,14 @@ struct SweepArguments {
 };
 ExitCode sweep(const SweepArguments& arguments);
 
-struct RelaxArguments {
+/// Of commands that keep checkpoints.
+struct LongRunArguments {
   SolveArguments solve;
   bool resume = false;
   double checkpoint_every = 60;  ///< seconds
 };
-ExitCode relax(const RelaxArguments& arguments);
+ExitCode relax(const LongRunArguments& arguments);
+ExitCode fracture(const LongRunArguments& arguments);
 
 ExitCode check(const SolveArguments& arguments);
 
@@ -50,6 +52,9 @@ ExitCode laws(const std::string& name, bool json);
 
 /// What other codes' bonds are made of: all of them where `name` is empty.
 ExitCode codes(const std::string& name, bool json);
+
+/// When bonds break: all criteria where `name` is empty.
+ExitCode strengths(const std::string& name, bool json);
 
 struct ImportArguments {
   std::vector<std::string> files;

@@ -21,7 +21,7 @@ struct ParsedCommand {
 /// CASE, --out, --set, --solver, --threads.
 void add_solve_options(CLI::App& command, SolveArguments& arguments);
 
-/// solve, sweep, relax, check, calibrate.
+/// solve, sweep, relax, fracture, check, calibrate.
 std::vector<ParsedCommand> add_case_commands(CLI::App& app);
 
 /// Models and runs of other codes: import, export, compare, translate.

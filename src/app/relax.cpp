@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
+#include "app/checkpoint.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/relax_report.hpp"
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
 #include "app/terminal.hpp"
-#include "io/archive.hpp"
 #include "io/replace_file.hpp"
 
 namespace bondstatic {
@@ -18,41 +17,6 @@ namespace bondstatic {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The checkpoint to go on from; "" where the run starts anew.
-std::string checkpoint_to_resume(const RelaxArguments& arguments, const fs::path& file) {
-  if (arguments.solve.folder.empty()) {
-    if (arguments.resume)
-      throw Error(ExitCode::invalid_input,
-                  "--resume without --out: checkpoints lie beside the results\n    cure: add --out DIR");
-    return "";
-  }
-  const auto content = read_whole_file(file);
-  if (content && !arguments.resume)
-    throw Error(
-        ExitCode::invalid_input,
-        fmt::format(
-            "{}: an unfinished run lies here\n    cure: add --resume to go on with it, or remove the file "
-            "to start anew",
-            file.string()));
-  if (!content && arguments.resume)
-    fmt::print(stderr, "{}: not there, starting from the beginning\n", file.string());
-  return content.value_or("");
-}
-
-/// At most ten lines a second.
-class Throttle {
- public:
-  bool due() {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_{};
-};
 
 Probes outputs_as_probes(const Case& given, const State& state) {
   Probes probes;
@@ -62,23 +26,9 @@ Probes outputs_as_probes(const Case& given, const State& state) {
   return probes;
 }
 
-std::uint64_t fingerprint_of(const std::vector<Output>& outputs) {
-  Archive f;
-  for (const Output& o : outputs)
-    f(o.name, o.of, o.at, o.base, o.axis, o.middle, o.reduce, o.scale, o.load_case);
-  return f.checksum();
-}
-
-[[noreturn]] void end_interrupted(const RelaxArguments& arguments, const fs::path& file) {
-  if (!arguments.solve.folder.empty() && fs::exists(file))
-    fmt::print(stderr, "bondstatic: stopped; {} keeps the run, go on with --resume\n", file.string());
-  DeferredInterrupts::check();
-  throw Error(ExitCode::internal, "the run stopped without a signal");
-}
-
 }  // namespace
 
-ExitCode relax(const RelaxArguments& arguments) {
+ExitCode relax(const LongRunArguments& arguments) {
   const SolveArguments& options = arguments.solve;
   const Case given = read_case(options, options.overrides, Purpose::dynamics);
   const fs::path file = fs::path(options.folder) / checkpoint_file;

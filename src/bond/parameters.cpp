@@ -21,16 +21,6 @@ std::string allowed(const Parameter& parameter) {
   return text;
 }
 
-void check_bounds(const Parameter& parameter, double value, std::vector<std::string>& complaints) {
-  const bool above = parameter.lower_included ? value >= parameter.lower : value > parameter.lower;
-  if (std::isinf(value))
-    complaints.push_back(fmt::format("{} = {}: must be finite", parameter.name, value));
-  else if (!above || value > parameter.upper)
-    complaints.push_back(fmt::format("{} = {}: {}", parameter.name, value, allowed(parameter)));
-  else if (parameter.whole && value != std::floor(value))
-    complaints.push_back(fmt::format("{} = {}: must be a whole number", parameter.name, value));
-}
-
 std::string names(const BondLaw& law, const Way& way) {
   std::string text;
   for (const std::size_t p : way) text += (text.empty() ? "" : " and ") + law.parameters[p].name;
@@ -82,6 +72,25 @@ void complete_alternative(const BondLaw& law, const std::vector<Way>& ways, std:
 
 }  // namespace
 
+void check_bounds(const Parameter& parameter, double value, std::vector<std::string>& complaints) {
+  const bool above = parameter.lower_included ? value >= parameter.lower : value > parameter.lower;
+  if (std::isinf(value))
+    complaints.push_back(fmt::format("{} = {}: must be finite", parameter.name, value));
+  else if (!above || value > parameter.upper)
+    complaints.push_back(fmt::format("{} = {}: {}", parameter.name, value, allowed(parameter)));
+  else if (parameter.whole && value != std::floor(value))
+    complaints.push_back(fmt::format("{} = {}: must be a whole number", parameter.name, value));
+}
+
+void complete_alone(const Parameter& parameter, double& value, std::vector<std::string>& complaints) {
+  if (std::isnan(value) && !parameter.optional) {
+    value = parameter.default_value;
+    if (std::isnan(value))
+      complaints.push_back(fmt::format("{} missing: give the {}", parameter.name, parameter.meaning));
+  }
+  if (!std::isnan(value)) check_bounds(parameter, value, complaints);
+}
+
 std::vector<std::size_t> ParameterRules::ruled_out_by(std::size_t given) const {
   std::vector<std::size_t> out;
   for (const std::vector<Way>& ways : alternatives) {
@@ -116,13 +125,10 @@ bool complete(const ParameterRules& rules, std::vector<double>& values,
   const std::size_t before = complaints.size();
   for (const std::vector<Way>& ways : rules.alternatives) complete_alternative(law, ways, values, complaints);
   for (std::size_t p = 0; p < law.parameters.size(); ++p) {
-    const Parameter& parameter = law.parameters[p];
-    if (std::isnan(values[p]) && !parameter.optional && !rules.in_alternative[p]) {
-      values[p] = parameter.default_value;
-      if (std::isnan(values[p]))
-        complaints.push_back(fmt::format("{} missing: give the {}", parameter.name, parameter.meaning));
-    }
-    if (!std::isnan(values[p])) check_bounds(parameter, values[p], complaints);
+    if (!rules.in_alternative[p])
+      complete_alone(law.parameters[p], values[p], complaints);
+    else if (!std::isnan(values[p]))
+      check_bounds(law.parameters[p], values[p], complaints);
   }
   // Only what stands on its own can be compared with each other.
   if (complaints.size() == before && law.inconsistent)

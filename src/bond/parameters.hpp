@@ -1,4 +1,5 @@
-// Completing the parameters of a law, for many bonds: names are resolved once.
+// Completing parameters: bounds and defaults of each, and those of a law together, for many bonds (names are
+// resolved once).
 #pragma once
 
 #include <string>
@@ -7,6 +8,13 @@
 #include "bondstatic/bond_law.hpp"
 
 namespace bondstatic {
+
+/// Complains where the value is out of the parameter's bounds, or infinite.
+void check_bounds(const Parameter& parameter, double value, std::vector<std::string>& complaints);
+
+/// A parameter that no other can stand for: fills in its default, complains where it is missing or out of
+/// bounds.
+void complete_alone(const Parameter& parameter, double& value, std::vector<std::string>& complaints);
 
 /// A law's alternatives as positions in its parameter list: alternatives > ways > parameters.
 struct ParameterRules {

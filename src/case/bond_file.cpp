@@ -46,10 +46,11 @@ std::optional<BondFile> open_bond_file(Draft& draft, TableReader& block) {
 }
 
 std::optional<BondRows> bond_rows(Draft& draft, BondFile file, const BondLaw& law,
-                                  const std::vector<double>& given) {
+                                  const std::vector<double>& given, const GivenStrengths* strengths) {
   const std::size_t before = draft.reading.faults.size();
-  auto rows = file.foreign ? rows_of_foreign_bonds(draft, file.path, std::move(*file.foreign), law, given)
-                           : rows_of_bond_table(draft, *file.table, law, given);
+  auto rows = file.foreign
+                  ? rows_of_foreign_bonds(draft, file.path, std::move(*file.foreign), law, given, strengths)
+                  : rows_of_bond_table(draft, *file.table, law, given, strengths);
   if (rows && draft.reading.faults.size() == before) check_ends(draft, *rows);
   if (draft.reading.faults.size() != before) return std::nullopt;
   return rows;

@@ -25,9 +25,9 @@ struct BondFile {
 /// Nothing, and faults, where it cannot be read.
 std::optional<BondFile> open_bond_file(Draft& draft, TableReader& block);
 
-/// The file's rows, each with parameters that complete what the block itself gives to a sound whole. Uses up
-/// the file.
+/// The file's rows, each with parameters that complete what the block itself gives to a sound whole, and with
+/// strengths where the block has a criterion for them (null: it has none). Uses up the file.
 std::optional<BondRows> bond_rows(Draft& draft, BondFile file, const BondLaw& law,
-                                  const std::vector<double>& given);
+                                  const std::vector<double>& given, const GivenStrengths* strengths);
 
 }  // namespace bondstatic

@@ -8,6 +8,7 @@
 
 #include "case/bond_file.hpp"
 #include "case/bond_parameters.hpp"
+#include "case/bond_strength.hpp"
 #include "case/selector.hpp"
 #include "io/pair_set.hpp"
 #include "model/bond_formation.hpp"
@@ -194,7 +195,8 @@ void keep_between(const PositionLists& groups, BondRows& rows) {
   keep(rows.b);
   keep(rows.ids);
   keep(rows.fractions);
-  for (auto& column : rows.overrides) keep(column.second);
+  for (auto* columns : {&rows.overrides, &rows.strengths})
+    for (auto& column : *columns) keep(column.second);
   if (!rows.places.empty()) rows.places.keep(kept);
 }
 
@@ -204,6 +206,8 @@ void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
     const Index id = rows.ids.empty() ? -1 : rows.ids[row];
     if (!adder.add(rows.a[row], rows.b[row], id, [&] { return rows.places[row]; })) continue;
     for (const auto& [parameter, values] : rows.overrides) made.overrides[parameter].push_back(values[row]);
+    for (const auto& [strength, values] : rows.strengths)
+      made.strength->overrides[strength].push_back(values[row]);
     if (!rows.fractions.empty()) made.fractions.push_back(rows.fractions[row]);
   }
 }
@@ -227,19 +231,21 @@ void read_bond_block(Draft& draft, TableReader& block, const ListedBonds* listed
   bool from_file = false;
   const Formation formation = read_formation(block, made.contact_point, listed != nullptr, from_file);
   const auto between = read_between(draft, block, from_file);
+  auto strengths = read_strength(block);
   const std::string existing =
       block.choice_or("existing", "error", std::vector<std::string>{"error", "add", "skip"});
-  if (block.has("strength"))
-    reading.warnings.push_back(fmt::format("{}:{}: strength of bonds is not used by solve",
-                                           block.place_of("strength").file, block.place_of("strength").line));
   if (!law) return block.accept_any();  // its parameters are unknown
 
   std::optional<BondRows> rows;
   if (listed)
-    rows = listed->rows(*law, given);
+    rows = listed->rows(*law, given, strengths ? &*strengths : nullptr);
   else if (from_file && file)
-    rows = bond_rows(draft, std::move(*file), *law, given);
+    rows = bond_rows(draft, std::move(*file), *law, given, strengths ? &*strengths : nullptr);
   if (listed && rows && between) keep_between(*between, *rows);
+  if (strengths && (rows || !(from_file || listed))) {
+    check_strength(block, *strengths, *law, given, rows ? &*rows : nullptr);
+    made.strength = std::move(strengths->made);
+  }
   if (rows && !rows->overrides.empty())
     made.parameters = given;  // each bond completes them in its own way
   else if (parameters_read && (rows || !(from_file || listed)))

@@ -9,6 +9,7 @@
 #include "case/calibration.hpp"
 #include "case/cell.hpp"
 #include "case/dynamic_options.hpp"
+#include "case/fracture_options.hpp"
 #include "case/load_cases.hpp"
 #include "case/loads.hpp"
 #include "case/outputs.hpp"
@@ -46,21 +47,20 @@ Node read_tree(const std::string& file, const std::vector<std::string>& override
 }
 
 /// Absent tables are made where the run rests on them, so that the resolved case shows their defaults.
+void add_table(Node& root, TableReader& top, const std::string& name) {
+  if (top.has(name)) return;
+  Node table;
+  table.place = root.place;
+  root.set(name, std::move(table));
+}
+
 RelaxOptions read_relax_options(Reading& reading, Node& root, TableReader& top) {
   for (const char* name : {"dynamics", "check"})
-    if (reading.purpose == Purpose::dynamics && !top.has(name)) root.set(name, Node{});
+    if (reading.purpose == Purpose::dynamics) add_table(root, top, name);
   RelaxOptions options;
   if (Node* dynamics = top.find("dynamics")) options = read_dynamic_options(reading, *dynamics);
   if (Node* check = top.find("check")) options.check_tolerance = read_check_tolerance(reading, *check);
   return options;
-}
-
-/// Of a part of the program that is not there yet.
-void warn_of_reserved(Draft& draft, TableReader& top) {
-  const char* user = draft.reading.purpose == Purpose::dynamics ? "a run through time" : "solve";
-  if (const Node* node = top.find("fracture"))
-    draft.reading.warnings.push_back(
-        fmt::format("{}:{}: [fracture] is not used by {}", node->place.file, node->place.line, user));
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   Case out;
   out.file = file;
   out.title = top.text("title").value_or("");
-  if (!top.has("solve")) root.set("solve", Node{});
+  add_table(root, top, "solve");
   out.solve = read_solve_options(draft.reading, *top.find("solve"));
   draft.reading.threads = out.solve.threads > 0 ? std::min(threads, out.solve.threads) : threads;
   out.relax = read_relax_options(draft.reading, root, top);
@@ -92,7 +92,8 @@ Case read_case(const std::string& file, const std::vector<std::string>& override
   complete_cell(draft, top.has("loads"), top.has("supports"));
   out.outputs = read_outputs(draft, top.find("outputs"));
   if (top.has("calibration")) out.calibration = read_calibration_plan(draft, root, out.outputs);
-  warn_of_reserved(draft, top);
+  if (purpose == Purpose::fracture) add_table(root, top, "fracture");
+  out.fracture = read_fracture_options(draft, top.find("fracture"), top.find("bonds"));
   top.finish();
 
   if (!draft.reading.faults.empty()) throw_sorted(std::move(draft.reading.faults), file);

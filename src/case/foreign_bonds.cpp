@@ -13,8 +13,13 @@ namespace {
 constexpr int most_faults = 20;
 
 void take_columns(Draft& draft, const std::string& path, ForeignModel& model, const BondLaw& law,
-                  BondRows& rows) {
+                  const GivenStrengths* strengths, BondRows& rows) {
   std::vector<std::string> stiffness, unused;
+  const auto take_strength = [&](const std::string& name, std::vector<double>& values) {
+    const Index strength = strengths ? strengths->criterion->find(name) : -1;
+    if (strength >= 0) rows.strengths[std::size_t(strength)] = std::move(values);
+    return strength >= 0;
+  };
   for (auto& [name, values] : model.bond_columns) {
     const Index parameter = law.find(name);
     if (name == "contact_point")
@@ -23,10 +28,11 @@ void take_columns(Draft& draft, const std::string& path, ForeignModel& model, co
       rows.overrides[std::size_t(parameter)] = std::move(values);
     else if (std::find(stiffness_names.begin(), stiffness_names.end(), name) != stiffness_names.end())
       stiffness.push_back(name);
-    else
+    else if (!take_strength(name, values))
       unused.push_back(name);
   }
-  for (const auto& column : model.kept_columns) unused.push_back(column.first);
+  for (auto& [name, values] : model.kept_columns)
+    if (!take_strength(name, values)) unused.push_back(name);
   if (!stiffness.empty())
     draft.reading.warnings.push_back(fmt::format("{}: its stiffness ({}) is left out: the block has law {}",
                                                  path, name_list(stiffness), law.name));
@@ -55,7 +61,8 @@ void need_cell(Draft& draft, const ForeignModel& model, const BondRows& rows) {
 }  // namespace
 
 std::optional<BondRows> rows_of_foreign_bonds(Draft& draft, const std::string& path, ForeignModel model,
-                                              const BondLaw& law, const std::vector<double>& given) {
+                                              const BondLaw& law, const std::vector<double>& given,
+                                              const GivenStrengths* strengths) {
   BondRows rows;
   const std::size_t count = model.bonds.size();
   rows.places = RowPlaces(path, model.bond_line, count);
@@ -77,9 +84,10 @@ std::optional<BondRows> rows_of_foreign_bonds(Draft& draft, const std::string& p
   }
   if (!numbered) rows.ids.clear();
   if (unknown > 0) return std::nullopt;
-  take_columns(draft, path, model, law, rows);
-  check_bond_parameters(draft, law, given, rows,
-                        [&](Index row, Index) { return rows.places[std::size_t(row)]; });
+  take_columns(draft, path, model, law, strengths, rows);
+  const auto place_of = [&](Index row, Index) { return rows.places[std::size_t(row)]; };
+  check_bond_parameters(draft, law, given, rows, place_of);
+  check_bond_strengths(draft, strengths, rows, place_of);
   check_fractions(draft, rows, [&](Index row) { return rows.places[std::size_t(row)]; });
   need_cell(draft, model, rows);
   return rows;

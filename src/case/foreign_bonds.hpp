@@ -10,8 +10,10 @@
 
 namespace bondstatic {
 
-/// Columns of the file that the law takes are its bonds' own; what becomes of the others is said in warnings.
+/// Columns of the file that the law or the strength criterion takes are its bonds' own; what becomes of the
+/// others is said in warnings. `strengths` may be null.
 std::optional<BondRows> rows_of_foreign_bonds(Draft& draft, const std::string& path, ForeignModel model,
-                                              const BondLaw& law, const std::vector<double>& given);
+                                              const BondLaw& law, const std::vector<double>& given,
+                                              const GivenStrengths* strengths = nullptr);
 
 }  // namespace bondstatic

@@ -68,7 +68,12 @@ void read_loads(Draft& draft, Node* list) {
     const std::vector<Index> pulled = gravity ? heavy(draft, block, at) : std::vector<Index>{};
     if (draft.reading.faults.size() != before) return;
 
+    const auto act = [&](Action::Kind kind) {
+      draft.actions.push_back({kind, load.load_case, block.place()});
+    };
     if (strain) draft.model.strains.push_back({*strain, load.load_case});
+    if (strain && !strain->isZero(0)) act(Action::Kind::strain);
+    if (!load.force.isZero(0) || (gravity && !gravity->isZero(0))) act(Action::Kind::force);
     if (at && has_point_load)
       for (const Index particle : *at) {
         load.particle = particle;

@@ -47,6 +47,9 @@ std::optional<Reason> obstacle(const Model& model, std::size_t b, const std::str
   const BondLaw& law = *find_bond_law(block.law);
   const std::vector<std::string> names = number_names(law);
   const Index p = law.find(name);
+  if (name.starts_with("strength."))
+    return Reason{fmt::format("bonds.{}.{}: strengths change nothing in a static answer", b, name),
+                  "choose one of: " + name_list(names)};
   if (p < 0) {
     const std::string nearest = nearest_name(name, names);
     return Reason{fmt::format("the law of bonds.{}, {}, takes no {}; it takes: {}", b, law.name, name,

@@ -100,6 +100,8 @@ void read_supports(Draft& draft, Node* list) {
     support.load_case = load_case_of(draft, block);
     if (!at || draft.reading.faults.size() != before) return;
 
+    draft.actions.push_back({support.value.isZero(0) ? Action::Kind::hold : Action::Kind::motion,
+                             support.load_case, block.place()});
     bool clashed = false;
     for (const Index particle : *at) {
       support.particle = particle;

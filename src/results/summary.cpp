@@ -7,20 +7,6 @@ namespace bondstatic {
 
 namespace {
 
-Json solver_of(const StaticReport& report) {
-  return {{"name", report.solver},
-          {"reason", report.solver_reason},
-          {"iterations", report.iterations},
-          {"threads", report.threads},
-          {"threads_asked", report.threads_asked},
-          {"ordering", report.analysis.ordering},
-          {"unknowns", report.analysis.unknowns},
-          {"matrix_entries", report.analysis.matrix_entries},
-          {"factor_entries", report.analysis.factor_entries},
-          {"factor_flops", report.analysis.factor_flops},
-          {"factorisations", report.factorisations}};
-}
-
 Json accuracy_of(const Accuracy& accuracy) {
   return {{"backward_error", accuracy.backward_error}, {"forward_error", accuracy.forward_error},
           {"refinements", accuracy.refinements},       {"pivot_ratio", accuracy.pivot_ratio},

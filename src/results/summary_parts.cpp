@@ -45,6 +45,20 @@ Json outputs_of(const std::vector<OutputValue>& outputs) {
   return all;
 }
 
+Json solver_of(const StaticReport& report) {
+  return {{"name", report.solver},
+          {"reason", report.solver_reason},
+          {"iterations", report.iterations},
+          {"threads", report.threads},
+          {"threads_asked", report.threads_asked},
+          {"ordering", report.analysis.ordering},
+          {"unknowns", report.analysis.unknowns},
+          {"matrix_entries", report.analysis.matrix_entries},
+          {"factor_entries", report.analysis.factor_entries},
+          {"factor_flops", report.analysis.factor_flops},
+          {"factorisations", report.factorisations}};
+}
+
 Json state_of(const std::vector<std::string>& load_cases, const State& state,
               const LargestDisplacement& largest) {
   Json one{{"name", state.name},

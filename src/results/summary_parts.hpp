@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json counts_of(const ModelFacts& model);
 Json outputs_of(const std::vector<OutputValue>& outputs);
+Json solver_of(const StaticReport& report);
 Json resolution_of(const std::vector<BlockResolution>& blocks);
 Json state_of(const std::vector<std::string>& load_cases, const State& state,
               const LargestDisplacement& largest);

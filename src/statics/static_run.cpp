@@ -9,6 +9,7 @@
 
 #include "bondstatic/error.hpp"
 #include "solver/machine.hpp"
+#include "statics/acceptance.hpp"
 #include "statics/adjoint.hpp"
 #include "statics/effective_stiffness.hpp"
 #include "statics/held_on_ranks.hpp"
@@ -18,23 +19,6 @@
 namespace bondstatic {
 
 namespace {
-
-std::string unknown_name(const Model& model, const FreeDofs& dofs, Index unknown) {
-  std::size_t p = 0;
-  while (dofs.first[p + 1] <= unknown) ++p;
-  return fmt::format("particle {}", model.particles[p].id);
-}
-
-void check_pivots(const Model& model, const FreeDofs& dofs, const FactorReport& factor) {
-  // A pivot below the rounding of its own diagonal entry is rounding itself.
-  if (factor.pivot_ratio > 0x1p-53) return;
-  const std::string where = factor.broken_at >= 0 ? " at " + unknown_name(model, dofs, factor.broken_at) : "";
-  throw AccuracyError(fmt::format(
-      "the stiffness matrix is numerically singular: the factorisation broke down{} (pivot ratio {:.1e})\n"
-      "    cure: look for stiffness that differs by more than 15 decades between bonds, or for slender parts "
-      "that are almost a mechanism",
-      where, factor.pivot_ratio));
-}
 
 // What is left of an answer, of its largest entry, where a solve goes on: one that is rounded to double is
 // then the same whatever order sums were taken in, but for one digit in a thousand million.
@@ -225,11 +209,7 @@ StaticSolution StaticRun::solve(bool keep) {
         result = recover(model_, network_, incidence_, properties_, *loads[i], group.held.left_out,
                          refined[i], threads_, ranks_);
         result.name = model_.load_cases[c];
-        if (!(result.accuracy.backward_error <= options_.tolerance))
-          throw AccuracyError(
-              fmt::format("the backward error {:.2e} is above the asked {:.2e}\n    cure: ask for less "
-                          "([solve] tolerance), or look for a part that is almost a mechanism",
-                          result.accuracy.backward_error, options_.tolerance));
+        check_backward_error(result.accuracy.backward_error, options_.tolerance);
         if (keep) motions_[c] = std::move(refined[i].motion);
       }
     });

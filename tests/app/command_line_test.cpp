@@ -38,7 +38,9 @@ TEST_P(CommandLineMisuse, Ends2AndSaysHow) {
 INSTANTIATE_TEST_SUITE_P(
     All, CommandLineMisuse,
     testing::Values(
-        Misuse{"NoCommand", {}, "a command is missing: solve, sweep, relax, check, calibrate, import,"},
+        Misuse{"NoCommand",
+               {},
+               "a command is missing: solve, sweep, relax, fracture, check, calibrate, import,"},
         Misuse{"MisspeltCommand", {"slove", "case.toml"}, "did you mean \"solve\"?"},
         Misuse{"UnknownCommand", {"frobnicate"}, "unknown command \"frobnicate\""},
         Misuse{"EmptyCommand", {""}, "unknown command \"\""},

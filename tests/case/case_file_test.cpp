@@ -96,13 +96,6 @@ TEST(CaseFile, ReadsHowToSolve) {
   EXPECT_EQ(c.solve.threads, 3);
 }
 
-TEST(CaseFile, ReservedBlocksAreWarnings) {
-  const Case c = read_case_text(
-      sound_case({{8, "radius = 0.2\nstrength = { criterion = \"edem-v2\" }"}, {19, "[fracture]"}}));
-  ASSERT_EQ(c.warnings.size(), 2u);
-  for (const std::string& warning : c.warnings) EXPECT_THAT(warning, testing::HasSubstr("not used by solve"));
-}
-
 TEST(CaseFile, ByteOrderMarkAndCrlfAreTolerated) {
   std::string text = sound_case();
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)

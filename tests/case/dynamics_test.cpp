@@ -157,11 +157,6 @@ TEST(Dynamics, SolveReadsItToo) {
   EXPECT_EQ(c.relax.check_tolerance, 1e-4);
 }
 
-TEST(Dynamics, ReservedBlocksAreWarningsHereToo) {
-  EXPECT_THAT(read_for_dynamics(heavy_case("[fracture]")).warnings,
-              ElementsAre(HasSubstr("[fracture] is not used by a run through time")));
-}
-
 TEST(Dynamics, KnowsNoPeriodicCell) {
   try {
     read_for_dynamics(heavy_case("[cell]\nsize = [100, 100, 100]"));

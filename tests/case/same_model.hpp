@@ -20,6 +20,23 @@ bool same_vector(const Vector& left, const Vector& right) {
   return equal;
 }
 
+using OwnValues = std::map<std::size_t, std::vector<double>>;
+
+inline bool same_columns(const OwnValues& left, const OwnValues& right) {
+  bool equal = left.size() == right.size();
+  for (const auto& [parameter, values] : left)
+    equal = equal && right.count(parameter) && same_vector(values, right.at(parameter));
+  return equal;
+}
+
+inline bool same_strength(const std::optional<BondStrength>& left, const std::optional<BondStrength>& right) {
+  if (!left || !right) return left.has_value() == right.has_value();
+  return left->criterion == right->criterion && same_vector(left->parameters, right->parameters) &&
+         same_columns(left->overrides, right->overrides) && left->scatter == right->scatter &&
+         same_vector(left->spread, right->spread) && left->seed == right->seed &&
+         left->together == right->together;
+}
+
 inline void expect_same(const Model& left, const Model& right) {
   ASSERT_EQ(left.particles.size(), right.particles.size());
   for (std::size_t i = 0; i < left.particles.size(); ++i) {
@@ -31,12 +48,10 @@ inline void expect_same(const Model& left, const Model& right) {
   ASSERT_EQ(left.blocks.size(), right.blocks.size());
   for (std::size_t i = 0; i < left.blocks.size(); ++i) {
     const BondBlock &l = left.blocks[i], &r = right.blocks[i];
-    ASSERT_EQ(l.overrides.size(), r.overrides.size());
-    bool equal = l.law == r.law && same_vector(l.parameters, r.parameters) &&
-                 same_vector(l.fractions, r.fractions) && l.contact_point.kind == r.contact_point.kind &&
-                 same(l.contact_point.value, r.contact_point.value);
-    for (const auto& [parameter, values] : l.overrides)
-      equal = equal && r.overrides.count(parameter) && same_vector(values, r.overrides.at(parameter));
+    const bool equal =
+        l.law == r.law && same_vector(l.parameters, r.parameters) && same_vector(l.fractions, r.fractions) &&
+        l.contact_point.kind == r.contact_point.kind && same(l.contact_point.value, r.contact_point.value) &&
+        same_columns(l.overrides, r.overrides) && same_strength(l.strength, r.strength);
     ASSERT_TRUE(equal) << "block " << i;
   }
   ASSERT_EQ(left.bonds.size(), right.bonds.size());

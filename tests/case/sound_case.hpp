@@ -47,17 +47,19 @@ inline std::string sound_case(const std::vector<std::pair<int, std::string>>& re
 
 /// Reads the text as a case file beside the given files (name, content).
 inline Case read_case_text(const std::string& text, const std::vector<std::string>& overrides = {},
-                           const std::vector<std::pair<std::string, std::string>>& files = {}) {
+                           const std::vector<std::pair<std::string, std::string>>& files = {},
+                           Purpose purpose = Purpose::statics) {
   const ScratchFolder folder;
   for (const auto& [name, content] : files) folder.write(name, content);
-  return read_case(folder.write("case.toml", text), overrides);
+  return read_case(folder.write("case.toml", text), overrides, "", purpose);
 }
 
 /// What is wrong with it; empty where it reads. Places carry the bare file name.
 inline std::vector<Fault> faults_of(const std::string& text, const std::vector<std::string>& overrides = {},
-                                    const std::vector<std::pair<std::string, std::string>>& files = {}) {
+                                    const std::vector<std::pair<std::string, std::string>>& files = {},
+                                    Purpose purpose = Purpose::statics) {
   try {
-    read_case_text(text, overrides, files);
+    read_case_text(text, overrides, files, purpose);
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();
     for (Fault& fault : faults)

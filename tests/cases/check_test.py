@@ -1,15 +1,17 @@
-"""check.py must notice what it is there to notice.
+"""check.py and check_fracture.py must notice what they are there to notice.
 
     /usr/bin/python3 check_test.py PROGRAM
 """
 import contextlib
 import io
+import json
 import pathlib
 import sys
 import tempfile
 import unittest
 
 import check
+import check_fracture
 
 PROGRAM = None
 CASE = """
@@ -62,6 +64,30 @@ class Check(unittest.TestCase):
     def test_measures_from_zero_absolutely(self):
         self.assertTrue(all(agrees for _, agrees in check.compare({"s": (0.0, 1e-9)}, [{"name": "s", "value": 1e-10}])))
         self.assertFalse(all(agrees for _, agrees in check.compare({"s": (0.0, 1e-9)}, [{"name": "s", "value": 1e-8}])))
+
+
+class CheckFracture(unittest.TestCase):
+    SUMMARY = {"end": "separated", "peak": {"load": 2.0, "bonds": [{"bond": 7}]}, "first_break": None}
+
+    def test_finds_what_a_path_names(self):
+        for path, found in (("end", "separated"), ("peak.load", 2.0), ("peak.bonds.0.bond", 7),
+                            ("first_break.load", None), ("nothing", None)):
+            self.assertEqual(check_fracture.found_in(self.SUMMARY, path), found)
+
+    def test_compares_numbers_within_the_tolerance_and_words_as_they_are(self):
+        self.assertTrue(check_fracture.agree(1.01, 1.0, 0.02))
+        self.assertTrue(check_fracture.agree("separated", "separated", 0))
+        for found, expected in ((1.03, 1.0), (float("nan"), 1.0), (None, 1.0), ("breaks", "separated"), (1e-1, 0.0)):
+            self.assertFalse(check_fracture.agree(found, expected, 0.02))
+
+    def test_refuses_a_run_that_went_another_way(self):
+        with contextlib.redirect_stdout(io.StringIO()) as told:
+            case = pathlib.Path(__file__).parents[2] / "cases/fracture/bundle.toml"
+            self.assertTrue(check_fracture.check(PROGRAM, case))
+            weaker = json.loads(json.dumps(check_fracture.expected_of(case)))
+            weaker["summary"]["peak.load"] *= 1 + 1e-12
+            self.assertFalse(check_fracture.check(PROGRAM, case, weaker))
+        self.assertIn("WRONG  peak.load", told.getvalue())
 
 
 if __name__ == "__main__":
