@@ -10,7 +10,7 @@ petsc_packages=(petsc-dev pkgconf)
 # Of the Python module, its examples and its tests.
 python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
 # The last three are other codes, whose files are read: yade brings about 100 packages.
-test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 gnuplot-nox lammps liggghts yade)
+test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 mypy gnuplot-nox lammps liggghts yade)
 
 say() { echo "bondstatic: $*" >&2; }
 

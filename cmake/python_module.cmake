@@ -25,6 +25,7 @@ target_compile_options(bondstatic PRIVATE -fno-semantic-interposition)
 
 file(GLOB python_sources CONFIGURE_DEPENDS src/python/*.cpp)
 pybind11_add_module(bondstatic_python MODULE NO_EXTRAS ${python_sources})
+target_precompile_headers(bondstatic_python PRIVATE ${precompiled} <pybind11/pybind11.h> <pybind11/numpy.h>)
 target_link_libraries(bondstatic_python PRIVATE bondstatic bondstatic_flags fmt::fmt OpenMP::OpenMP_CXX)
 set(python_package ${PROJECT_BINARY_DIR}/python/bondstatic)
 set_target_properties(bondstatic_python PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package})

@@ -62,7 +62,32 @@ void Watch::tell(Message message) {
   if (given_up_) throw GivenUp{};
   const std::lock_guard lock(mutex_);
   messages_.push_back(std::move(message));
+  ++told_count_;
   changed_.notify_one();
+}
+
+void Watch::ask(Message message) {
+  tell(std::move(message));
+  std::unique_lock lock(mutex_);
+  const std::size_t mine = told_count_;
+  heard_.wait(lock, [&] { return given_up_ || heard_count_ >= mine; });
+  if (given_up_) throw GivenUp{};
+}
+
+void Watch::hear(const Message& message) {
+  try {
+    message();
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  } catch (const py::error_already_set& error) {
+    if (!stoppable_ || interrupted_ || !error.matches(PyExc_KeyboardInterrupt)) throw;
+    interrupted_ = true;
+  }
+}
+
+void Watch::give_up() {
+  const std::lock_guard lock(mutex_);
+  given_up_ = true;
+  heard_.notify_one();
 }
 
 void add_background() {
@@ -110,11 +135,15 @@ void run_watched(std::function<void(Watch&)> work) {
         done = watch->done_;
       }
       take_gil_back(others_may_run);
-      for (const Watch::Message& message : messages) message();
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      for (const Watch::Message& message : messages) watch->hear(message);
+      watch->hear([] {});
+      if (messages.empty()) continue;
+      const std::lock_guard lock(watch->mutex_);
+      watch->heard_count_ += messages.size();
+      watch->heard_.notify_one();
     }
   } catch (...) {
-    watch->given_up_ = true;
+    watch->give_up();
     throw;
   }
   if (watch->error_) std::rethrow_exception(std::exchange(watch->error_, nullptr));

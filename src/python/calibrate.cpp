@@ -4,6 +4,7 @@
 
 #include "bondstatic/calibration.hpp"
 #include "bondstatic/case_file.hpp"
+#include "calibration/ceres_module.hpp"
 #include "case/named_parameter.hpp"
 #include "python/background.hpp"
 #include "python/model_steps.hpp"
@@ -27,6 +28,7 @@ struct Problem {
 CalibrationResult calibrated(std::function<Problem()> make, const py::object& progress) {
   const auto result = std::make_shared<CalibrationResult>();
   run_watched([result, make = std::move(make), callback = Callback(progress)](Watch& watch) {
+    ceres_module();  // where it is not there, nothing is read in vain
     Problem problem = make();
     problem.options.progress = [&](int evaluation, double cost) {
       watch.tell([callback, evaluation, cost] { callback(evaluation, cost); });

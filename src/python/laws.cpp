@@ -1,8 +1,9 @@
-// bs.laws(): the bond laws as `bondstatic laws` lists them.
+// bs.laws() and bs.strengths(): what `bondstatic laws` lists.
 #include <cmath>
 
 #include "bondstatic/bond_law.hpp"
 #include "bondstatic/linear_solver.hpp"
+#include "bondstatic/strength.hpp"
 #include "python/parts.hpp"
 
 namespace bondstatic {
@@ -41,6 +42,36 @@ void add_laws(py::module_& module) {
         return laws;
       },
       "The bond laws of this build by name, in the order of `bondstatic laws`.");
+  py::class_<StrengthCriterion>(module, "Strength", "A strength criterion: what it takes, when bonds break.")
+      .def_readonly("name", &StrengthCriterion::name, "As a case has it.")
+      .def_readonly("title", &StrengthCriterion::title, "Name in the literature.")
+      .def_readonly("source", &StrengthCriterion::source, "Where it is from.")
+      .def_readonly("formulas", &StrengthCriterion::formulas, "As `bondstatic laws --strengths` prints them.")
+      .def_readonly("parameters", &StrengthCriterion::parameters, "What it takes.")
+      .def_property_readonly(
+          "scatters",
+          [](const StrengthCriterion& criterion) {
+            std::vector<std::string> names;
+            for (std::size_t p = 0; p < criterion.parameters.size(); ++p)
+              if (criterion.scatters[p]) names.push_back(criterion.parameters[p].name);
+            return names;
+          },
+          "Which of them may scatter from bond to bond.")
+      .def_readonly("modes", &StrengthCriterion::modes, "In which a bond can fail.")
+      .def_readonly("needs_section", &StrengthCriterion::needs_section, "Speaks of stresses.")
+      .def_readonly("remark", &StrengthCriterion::remark, "What one must know: assumptions.")
+      .def("__repr__", [](const StrengthCriterion& criterion) {
+        return "<Strength " + criterion.name + ": " + criterion.title + ">";
+      });
+  module.def(
+      "strengths",
+      [] {
+        py::dict criteria;
+        for (const StrengthCriterion& criterion : strength_criteria())
+          criteria[py::str(criterion.name)] = py::cast(&criterion, py::return_value_policy::reference);
+        return criteria;
+      },
+      "The strength criteria of this build by name, in the order of `bondstatic laws --strengths`.");
   module.def(
       "solvers",
       [] {

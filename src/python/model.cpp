@@ -80,7 +80,7 @@ void add_model(py::module_& module) {
       .def("complete_cell", py::overload_cast<PythonModel&>(&complete_cell))
       .def("parameters", &parameters_of, py::arg("block"))
       .def("set", &set_parameters, py::arg("given"), py::arg("columns"), py::arg("block"))
-      .def("bond", &add_bonds, py::arg("given"), py::arg("columns"), py::arg("listed"))
+      .def("bond", &add_bonds, py::arg("given"), py::arg("columns"), py::arg("strengths"), py::arg("listed"))
       .def("fix", &add_supports, py::arg("given"), py::arg("at"))
       .def("load", &add_loads, py::arg("given"), py::arg("at"))
       .def("group", &add_group, py::arg("given"), py::arg("at"))

@@ -75,24 +75,37 @@ Warnings add_block(PythonModel& self, void (*read)(Draft&, Node*), const std::st
   });
 }
 
-BondRows listed_rows(Draft& draft, const ForeignModel& bonds, const Columns& columns, const BondLaw& law,
-                     const std::vector<double>& given) {
-  ForeignModel own = bonds;
+/// Into the columns of the list.
+void add_columns(Draft& draft, const Columns& columns, std::size_t bonds,
+                 std::map<std::string, std::vector<double>>& to) {
   for (const auto& [name, values] : columns) {
-    if (std::size_t(values.size()) != bonds.bonds.size())
-      draft.reading.fault(
-          {draft.reading.file, 0, 0},
-          fmt::format("{} has {} values, {} bonds are listed", name, values.size(), bonds.bonds.size()),
-          "give one number for all, or one for each bond");
-    else if (law.find(name) < 0 && name != "contact_point")
+    if (std::size_t(values.size()) != bonds)
       draft.reading.fault({draft.reading.file, 0, 0},
-                          fmt::format("{} is no parameter of law {}", name, law.name),
-                          fmt::format("see bondstatic.laws()[\"{}\"]", law.name));
-    own.bond_columns[name] = {values.data(), values.data() + values.size()};
+                          fmt::format("{} has {} values, {} bonds are listed", name, values.size(), bonds),
+                          "give one number for all, or one for each bond");
+    to[name] = {values.data(), values.data() + values.size()};
   }
+}
+
+BondRows listed_rows(Draft& draft, const ForeignModel& bonds, const Columns& columns,
+                     const Columns& of_strengths, const BondLaw& law, const std::vector<double>& given,
+                     const GivenStrengths* strengths) {
+  ForeignModel own = bonds;
+  // What another code's file says of strength is its bonds' own where the block asks for it; that the rest is
+  // left out has been said when it was read.
+  std::erase_if(own.kept_columns, [&](const auto& column) {
+    return !strengths || strengths->criterion->find(column.first) < 0;
+  });
+  for (const auto& column : columns)
+    if (law.find(column.first) < 0 && column.first != "contact_point")
+      draft.reading.fault({draft.reading.file, 0, 0},
+                          fmt::format("{} is no parameter of law {}", column.first, law.name),
+                          fmt::format("see bondstatic.laws()[\"{}\"]", law.name));
+  add_columns(draft, columns, bonds.bonds.size(), own.bond_columns);
+  add_columns(draft, of_strengths, bonds.bonds.size(), own.kept_columns);
   if (!draft.reading.faults.empty()) return {};
-  BondRows rows =
-      rows_of_foreign_bonds(draft, draft.reading.file, std::move(own), law, given).value_or(BondRows{});
+  BondRows rows = rows_of_foreign_bonds(draft, draft.reading.file, std::move(own), law, given, strengths)
+                      .value_or(BondRows{});
   check_ends(draft, rows);
   return rows;
 }
@@ -162,7 +175,7 @@ Warnings add_group(PythonModel& self, const py::dict& given, const Positions& at
 }
 
 std::pair<Index, Warnings> add_bonds(PythonModel& self, const py::dict& given, const Columns& columns,
-                                     bool listed) {
+                                     const Columns& strengths, bool listed) {
   Index added = 0;
   Node block = node_of(given, "Model.bond");
   auto warnings = self.edited.edit("Model.bond", [&](Draft& draft) {
@@ -173,8 +186,10 @@ std::pair<Index, Warnings> add_bonds(PythonModel& self, const py::dict& given, c
       for (const std::string& name : stiffness_names)
         list.gives_stiffness &=
             self.listed->bond_columns.contains(name) || columns.contains(name) || block.find(name);
-      list.rows = [&](const BondLaw& law, const std::vector<double>& parameters) -> std::optional<BondRows> {
-        BondRows rows = listed_rows(draft, *self.listed, columns, law, parameters);
+      list.rows = [&](const BondLaw& law, const std::vector<double>& parameters,
+                      const GivenStrengths* given_strengths) -> std::optional<BondRows> {
+        BondRows rows =
+            listed_rows(draft, *self.listed, columns, strengths, law, parameters, given_strengths);
         return draft.reading.faults.empty() ? std::optional(std::move(rows)) : std::nullopt;
       };
     }

@@ -22,9 +22,10 @@ Warnings add_group(PythonModel& self, const py::dict& given, const Positions& at
 /// Values of single bonds under the names of parameters, or contact_point.
 using Columns = std::map<std::string, ArrayOf<double>>;
 
-/// A block of bonds; returns how many they are. `listed`: those that the model lists, not by distance.
+/// A block of bonds; returns how many they are. `strengths`: likewise, under the names of the criterion's
+/// parameters. `listed`: those that the model lists, not by distance.
 std::pair<Index, Warnings> add_bonds(PythonModel& self, const py::dict& given, const Columns& columns,
-                                     bool listed);
+                                     const Columns& strengths, bool listed);
 
 /// Parameters of laws; `columns` for single bonds of a block. `block` -1: every block whose law takes all of
 /// them.

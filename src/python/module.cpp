@@ -14,6 +14,9 @@ PYBIND11_MODULE(_core, module) {
   add_solve(module);
   add_system(module);
   add_relax(module);
+  add_fracture_events(module);
+  add_fracture(module);
+  add_compare(module);
   add_analysis(module);
   add_calibrate(module);
 }

@@ -17,6 +17,9 @@ void add_state(py::module_& module);
 void add_solve(py::module_& module);
 void add_system(py::module_& module);
 void add_relax(py::module_& module);
+void add_fracture_events(py::module_& module);
+void add_fracture(py::module_& module);
+void add_compare(py::module_& module);
 void add_analysis(py::module_& module);
 void add_calibrate(py::module_& module);
 

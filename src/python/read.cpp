@@ -3,6 +3,7 @@
 #include "case/imported_case.hpp"
 #include "formats/import_files.hpp"
 #include "python/background.hpp"
+#include "python/fracture_options.hpp"
 #include "python/parts.hpp"
 #include "python/python_model.hpp"
 #include "solver/machine.hpp"
@@ -24,9 +25,11 @@ std::unique_ptr<PythonModel> model_of(Model model) {
   return made;
 }
 
-py::tuple read_case_file(const std::string& file, const std::vector<std::string>& overrides) {
+py::tuple read_case_file(const std::string& file, const std::vector<std::string>& overrides,
+                         bool for_fracture) {
+  const Purpose purpose = for_fracture ? Purpose::fracture : Purpose::statics;
   Case given = read_watched<Case>(
-      [file, overrides] { return read_case(file, overrides, "", Purpose::statics, cores_at_hand()); });
+      [file, overrides, purpose] { return read_case(file, overrides, "", purpose, cores_at_hand()); });
   auto model = model_of(std::move(given.model));
   given.model = {};
   return py::make_tuple(std::move(model), std::move(given));
@@ -78,7 +81,6 @@ py::tuple import_model(const std::vector<std::string>& files, const std::string&
     apply_setup(draft, imported.setup);
   });
   imported.model.particles.clear();
-  imported.model.kept_columns.clear();
   if (!imported.model.bonds.empty())
     made->listed = std::make_shared<const ForeignModel>(std::move(imported.model));
   const ImportNotes& notes = made->listed ? made->listed->notes : imported.model.notes;
@@ -95,8 +97,9 @@ void add_read(py::module_& module) {
       .def_readonly("warnings", &Case::warnings)
       .def_readonly("resolved", &Case::resolved, "The case as TOML with defaults and overrides filled in.")
       .def_readonly("solve", &Case::solve)
-      .def_readonly("relax", &Case::relax);
-  module.def("read_case", &read_case_file, py::arg("file"), py::arg("overrides"));
+      .def_readonly("relax", &Case::relax)
+      .def_property_readonly("fracture", &fracture_options_of);
+  module.def("read_case", &read_case_file, py::arg("file"), py::arg("overrides"), py::arg("for_fracture"));
   module.def("import_files", &import_model, py::arg("files"), py::arg("atom_style"), py::arg("bond_columns"),
              py::arg("step"), py::arg("radius"));
 }

@@ -116,7 +116,7 @@ void add_solve(py::module_& module) {
           "state",
           [](const std::shared_ptr<Solved>& s, std::size_t load_case) {
             const LoadCaseResult& result = s->solution.cases.at(load_case);
-            return PythonState{s, &result, &result.accuracy};
+            return PythonState{s, &result, &result.accuracy, s->model.get()};
           },
           py::arg("load_case"))
       .def_readonly("options", &Solved::options)

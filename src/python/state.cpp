@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "bondstatic/error.hpp"
 #include "python/parts.hpp"
+#include "results/bond_utilisation.hpp"
 
 namespace bondstatic {
 
@@ -23,6 +25,16 @@ py::array half_of_force(const PythonBonds& bonds, int from) {
   const auto& results = bonds.results();
   return view_of_items<double>(bonds.of.owner, results,
                                results.empty() ? nullptr : results.front().force.data() + from, 3);
+}
+
+py::array utilisation_of(const PythonBonds& bonds) {
+  const PythonState& of = bonds.of;
+  if (!of.model)
+    throw Error(ExitCode::invalid_input,
+                "utilisation is of bonds that stand as in the model, those of a run through time have moved\n"
+                "    cure: ask for it in a state of solve() or fracture()");
+  const std::vector<Index> whole(of.break_event ? 0 : of.model->bonds.size(), -1);
+  return taken(bond_utilisations(*of.model, *of.state, of.break_event ? *of.break_event : whole));
 }
 
 py::array vectors(const PythonState& state, const std::vector<Vector6>& values, int from, int width) {
@@ -73,6 +85,10 @@ All arrays are read-only views without a copy; NaN where a bond is left out with
       "section.");
   add("tau", &BondResult::tau, "(m,), force / length^2: largest shear stress; NaN without a section.");
   add("energy", &BondResult::energy, "(m,), force x length: strain energy.");
+  bonds.def_property_readonly(
+      "utilisation", &utilisation_of,
+      "(m,): what the bond's strength is used to, 1 where it breaks; NaN without a strength, or broken. An "
+      "array of its own, made anew each time.");
 
   py::class_<PythonState>(module, "State",
                           R"(The state of rest under one load case, rows in the model's order.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/exchange.hpp"
+#include "bench/fracture.hpp"
 #include "bench/million.hpp"
 #include "bench/ranks.hpp"
 #include "bench/residual.hpp"
@@ -26,6 +27,10 @@ constexpr const char* usage =
     "    run million [--particles N] [--keep] the program on a million particles, from case file to results\n"
     "    run exchange [--particles N]...      import of LAMMPS data files, bonds by contact radius, of "
     "growing size\n"
+    "    run fracture [--packing NAME]... [--particles 2000|8000|27000]...\n"
+    "                                         a break against a full refactorisation, and three ways to go "
+    "on "
+    "after it\n"
     "    run ranks [--particles N] [--ranks N]... [--solver NAME]...\n"
     "                                         the program on MPI ranks against itself in one process\n"
     "    run busy                             of the first tables, solves beside busy processes\n";
@@ -116,6 +121,20 @@ void run_exchange(Arguments& arguments) {
   print_exchange(sizes);
 }
 
+void run_fracture(Arguments& arguments) {
+  BreakCost asked;
+  Index number = 0;
+  for (std::string name; !arguments.empty();) {
+    if (arguments.take("--packing", name))
+      asked.packings.push_back(name);
+    else if (arguments.take("--particles", number))
+      asked.particles.push_back(number);
+    else
+      arguments.refuse();
+  }
+  print_break_cost(asked);
+}
+
 void run_ranks(Arguments& arguments) {
   OnRanks asked;
   Index number = 0;
@@ -135,6 +154,7 @@ void run(Arguments& arguments) {
   if (arguments.take("residual")) return run_residual(arguments);
   if (arguments.take("million")) return run_million(arguments);
   if (arguments.take("exchange")) return run_exchange(arguments);
+  if (arguments.take("fracture")) return run_fracture(arguments);
   if (arguments.take("ranks")) return run_ranks(arguments);
   const bool busy_only = arguments.take("busy");
   if (!arguments.empty()) arguments.refuse();

@@ -11,10 +11,13 @@
 Any one consistent system of units will do; texts with a unit, "50 GPa", are SI. Arrays of results are read-only views
 of the library's own memory, which they keep. Errors are exceptions with the text that the command line prints.
 """
-from ._core import Bonds, Calibration, Law, Output, State, laws, solvers, version
+from ._core import (Bonds, BrokenBonds, Calibration, Comparison, FractureEvents, Law, Output, SeparatedBody, State,
+                    Strength, laws, solvers, strengths, version)
 from .calibration import calibrate
+from .comparison import compare
 from .errors import (AccuracyError, BondstaticWarning, Error, Fault, InputError, Mechanism, MechanismError,
                      OutOfMemoryError)
+from .fracturing import Fracture, fracture
 from .matrices import System, stiffness, system
 from .model import Model
 from .reading import read
@@ -23,7 +26,8 @@ from .solution import Analysis, Solution, solve
 
 __version__ = version()
 
-__all__ = ["AccuracyError", "Analysis", "BondstaticWarning", "Bonds", "Calibration", "Error", "Fault", "InputError",
-           "Law", "Mechanism", "MechanismError", "Model", "OutOfMemoryError", "Output", "Relaxation", "Solution",
-           "State", "System", "calibrate", "laws", "read", "relax", "solve", "solvers", "stiffness", "system",
-           "version"]
+__all__ = ["AccuracyError", "Analysis", "Bonds", "BondstaticWarning", "BrokenBonds", "Calibration", "Comparison",
+           "Error", "Fault", "Fracture", "FractureEvents", "InputError", "Law", "Mechanism", "MechanismError", "Model",
+           "OutOfMemoryError", "Output", "Relaxation", "SeparatedBody", "Solution", "State", "Strength", "System",
+           "calibrate", "compare", "fracture", "laws", "read", "relax", "solve", "solvers", "stiffness", "strengths",
+           "system", "version"]

@@ -59,6 +59,7 @@ class Model:
         self.notes: dict[str, list[str]] = {}
         self._solve = _core.SolveOptions()
         self._relax = _core.RelaxOptions()
+        self._fracture = _core.FractureOptions()
 
     @classmethod
     def _made(cls, core: _core.Model) -> Model:
@@ -72,7 +73,7 @@ class Model:
         made = Model._made(_core.Model(self._core))
         made.title, made.file, made.resolved = self.title, self.file, self.resolved
         made.outputs, made.notes = list(self.outputs), dict(self.notes)
-        made._solve, made._relax = self._solve, self._relax
+        made._solve, made._relax, made._fracture = self._solve, self._relax, self._fracture
         return made
 
     def __copy__(self) -> Model:
@@ -155,13 +156,18 @@ class Model:
     def bond(self, law: str | None = None, *, gap: Quantity | None = None,
              contact_radius_factor: float | None = None, contact_point: str | float | Floats | None = None,
              between: str | Sequence[str] | None = None, existing: str | None = None,
-             **parameters: Quantity | bool | Floats) -> int:
+             strength: Mapping[str, Any] | None = None, **parameters: Quantity | bool | Floats) -> int:
         """Bonds particles by a law (see laws()), and returns how many bonds that gave.
 
         Bonds form where spheres of contact_radius_factor times the radius touch, or within `gap`; where neither is
         given, the bonds that the model was made with get the law, or else touching spheres. `between`: a group, or two:
         one end in each. `existing`: what happens to a pair that is bonded already, "error", "skip" or "add".
         Parameters are the law's; of listed bonds, arrays (m,) in the order of the list give each its own.
+
+        strength: when they break, for fracture(): dict(criterion="edem-v2", critical_normal_stress=5e6,
+        critical_shear_stress=8e6), see strengths(); bonds without never do. Strengths are arrays likewise, or scatter:
+        scatter="weibull", modulus=8 | "normal", variation=0.2 | "uniform", range=1e6, each with seed=1,
+        together=False.
         """
         by_distance = gap is not None or (contact_radius_factor is not None and contact_point != "contact-radii")
         listed = self._core.listed_bonds is not None and not by_distance
@@ -172,7 +178,12 @@ class Model:
                                   **parameters})
         _need(listed or not columns, f"{', '.join(columns)}: an array, but no bonds are listed",
               "give one number for all, or make the model with bonds")
-        added, said = self._core.bond(given, columns, listed)
+        strengths: dict[str, Floats] = {}
+        if strength is not None:
+            given["strength"], strengths = _strengths(strength)
+            _need(listed or not strengths, f"strength: {', '.join(strengths)}: an array, but no bonds are listed",
+                  "give one number for all and let it scatter, or make the model with bonds")
+        added, said = self._core.bond(given, columns, strengths, listed)
         _warn(said)
         return added
 
@@ -258,6 +269,14 @@ def _arrays(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Floats]
         else:
             for_all[name] = value.item() if isinstance(value, np.ndarray) and value.ndim == 0 else value
     return for_all, columns
+
+
+def _strengths(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Floats]]:
+    """The same of a strength: single bonds have strengths of their own, but all scatter alike."""
+    criterion = _core.strengths().get(given.get("criterion", ""))
+    names = [parameter.name for parameter in criterion.parameters] if criterion else []
+    columns = _arrays({name: value for name, value in given.items() if name in names})[1]
+    return {name: value for name, value in given.items() if name not in columns}, columns
 
 
 def _need(sound: bool, found: str, cure: str) -> None:

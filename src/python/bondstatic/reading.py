@@ -24,8 +24,9 @@ def read(*files: str | os.PathLike[str], set: Mapping[str, Any] | None = None, a
     step          of a series; the last unless given
     radius        of each particle, where no file gives radii
 
-    A case takes `set` alone, other files all but `set`. What other codes' files give of bonds waits for bond(): their pairs, and stiffness where they have it. Groups,
-    supports and loads of a LAMMPS input script are taken over. Model.notes says what was taken, assumed and left out.
+    A case takes `set` alone, other files all but `set`. What other codes' files give of bonds waits for bond(): their
+    pairs, and stiffness where they have it. Groups, supports and loads of a LAMMPS input script are taken over.
+    Model.notes says what was taken, assumed and left out.
     """
     paths = [os.fspath(file) for file in files]
     case = case_file(paths[0]) if len(paths) == 1 else None
@@ -34,18 +35,23 @@ def read(*files: str | os.PathLike[str], set: Mapping[str, Any] | None = None, a
             raise InputError(f"{case} is a case, which says itself how its files are read\n"
                              "    cure: give set, {\"particles.0.step\": 3}, say, in place of atom_style, bond_columns, "
                              "step and radius")
-        core, facts = _core.read_case(case, overrides(set))
-        model = Model._made(core)
-        model.title, model.file, model.outputs, model.resolved = facts.title, facts.file, facts.outputs, facts.resolved
-        model._solve, model._relax = facts.solve, facts.relax
-        _warn(facts.warnings)
-        return model
+        return model_of(case, set, for_fracture=False)
     if set is not None:
         raise InputError(f"{', '.join(paths)}: set changes keys of a case, and there is none\n    cure: leave it out")
     core, taken, assumed, left_out = _core.import_files(paths, atom_style, list(bond_columns), step, radius)
     model = Model._made(core)
     model.file = ", ".join(paths)
     model.notes = {"taken": taken, "assumed": assumed, "left_out": left_out}
+    return model
+
+
+def model_of(case: str, set: Mapping[str, Any] | None, *, for_fracture: bool) -> Model:
+    """Of a case file. For fracture it must have what a run rests on."""
+    core, facts = _core.read_case(case, overrides(set), for_fracture)
+    model = Model._made(core)
+    model.title, model.file, model.outputs, model.resolved = facts.title, facts.file, facts.outputs, facts.resolved
+    model._solve, model._relax, model._fracture = facts.solve, facts.relax, facts.fracture
+    _warn(facts.warnings)
     return model
 
 

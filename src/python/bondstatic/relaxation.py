@@ -34,12 +34,7 @@ class Relaxation(States):
     def history(self, load_case: str | None = None) -> dict[str, Floats]:
         """Columns over time: step, time, kinetic, strain, work, dissipated, unbalanced, ... of a load case, the only
         one unless named."""
-        names = list(self.cases)
-        if load_case is None:
-            self._only()
-            return self._relaxed.history(0)
-        self[load_case]
-        return self._relaxed.history(names.index(load_case))
+        return self._relaxed.history(self._position(load_case))
 
 
 def relax(model: Model, *, threads: int | None = None, load_factor: float = 1.0, progress: RunProgress = None,

@@ -40,6 +40,14 @@ class States:
                              '    cure: say which is meant: solution["NAME"].displacement')
         return next(iter(self.cases.values()))
 
+    def _position(self, load_case: str | None) -> int:
+        """Of a load case, the only one unless named."""
+        if load_case is None:
+            self._only()
+            return 0
+        self[load_case]
+        return list(self.cases).index(load_case)
+
     @property
     def displacement(self) -> Floats:
         """(n, 6): ux, uy, uz in length, rx, ry, rz in radians; read-only view without a copy, NaN where left out."""
