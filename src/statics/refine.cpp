@@ -108,11 +108,13 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
     const auto measure = iterative || before.in_brief ? backward_error<double> : backward_error<Extended>;
     accuracy.backward_error = largest_of_all(
         ranks, measure(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
-    const double left =
-        iterative ? 2 * iterates[c].expected_error()
-                  : 4 * iterates[c].expected_error() +
-                        4 * largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());
-    if (iterates[c].size > 0) accuracy.forward_error = 0x1p-53 + negligible + left / iterates[c].size;
+    const double left = (iterative ? 2 : 4) * iterates[c].expected_error();
+    const double moved =
+        iterative ? 0 : largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());
+    if (iterates[c].size > 0) {
+      refined[c].rounding = 4 * moved / iterates[c].size;
+      accuracy.forward_error = 0x1p-53 + negligible + left / iterates[c].size + refined[c].rounding;
+    }
     refined[c].motion = std::move(iterates[c].motion);
   }
   return refined;

@@ -29,6 +29,8 @@ inline constexpr double early_enough = 1e-20;
 struct Refined {
   BodyVectors<Extended> motion;  ///< prescribed values included; what is negligible is zero
   Accuracy accuracy;             ///< errors and number of refinements; balances are left to recovery
+  /// What the rounding of the natural form adds to the forward error; 0 where it was not asked (in_brief).
+  double rounding = 0;
 };
 
 /// What solves took in all where they iterate: iterations of the slowest load case, notes for the user.

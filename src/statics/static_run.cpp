@@ -102,11 +102,19 @@ std::vector<Refined> StaticRun::factorise_and_refine(Group& group, const std::ve
   }
   group.pivot_ratio = factor.pivot_ratio;
   Effort effort;
+  const bool in_brief = !start.empty() && !group.rounding.empty();
   auto refined = timed(iterative ? "iterations" : "refinement", [&] {
-    return solve_refined(network_, incidence_, dofs, loads, solver, factor.pivot_ratio, threads_, effort,
-                         options_.progress, ranks_,
-                         {.motions = start.empty() ? nullptr : &start, .enough = far_below_last_digit});
+    return solve_refined(
+        network_, incidence_, dofs, loads, solver, factor.pivot_ratio, threads_, effort, options_.progress,
+        ranks_,
+        {.motions = start.empty() ? nullptr : &start, .enough = far_below_last_digit, .in_brief = in_brief});
   });
+  if (!in_brief) group.rounding.clear();
+  for (std::size_t i = 0; i < refined.size(); ++i)
+    if (in_brief)
+      refined[i].accuracy.forward_error += group.rounding[i];
+    else
+      group.rounding.push_back(refined[i].rounding);
   if (solver && !(group.kept && group.kept->kept())) ++report.factorisations;
   report.iterations = std::max(report.iterations, effort.iterations);
   for (const std::string& note : effort.notes) report.warnings.push_back(group.chosen.name + " " + note);

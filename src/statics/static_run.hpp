@@ -34,6 +34,9 @@ class StaticRun {
     Held held;
     Chosen chosen;
     double pivot_ratio = 1;
+    /// Of the first solve's cases; what the rounding of the natural form does hardly changes with the
+    /// numbers.
+    std::vector<double> rounding = {};
     KeptFactor* kept = nullptr;  ///< the chosen solver, where it is one
   };
 
