@@ -89,7 +89,8 @@ struct SeparatedBody {
 };
 
 struct FractureReport {
-  StaticReport first;  ///< of the intact model
+  /// Solver, threads, what was dropped and warned of; the analysis is that of the last order.
+  StaticReport first;
   int factorisations = 0;
   int analyses = 0;
   double backward_error = 0;  ///< largest of all states, as in Accuracy

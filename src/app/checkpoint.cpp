@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/interrupt.hpp"
-#include "io/archive.hpp"
 #include "io/replace_file.hpp"
 
 namespace bondstatic {
@@ -26,13 +25,6 @@ std::string checkpoint_to_resume(const LongRunArguments& arguments, const std::f
   if (!content && arguments.resume)
     fmt::print(stderr, "{}: not there, starting from the beginning\n", file.string());
   return content.value_or("");
-}
-
-std::uint64_t fingerprint_of(const std::vector<Output>& outputs) {
-  Archive f;
-  for (const Output& o : outputs)
-    f(o.name, o.of, o.at, o.base, o.axis, o.middle, o.reduce, o.scale, o.load_case);
-  return f.checksum();
 }
 
 void end_interrupted(const LongRunArguments& arguments, const std::filesystem::path& file) {

@@ -2,22 +2,16 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "app/commands.hpp"
-#include "bondstatic/output.hpp"
 
 namespace bondstatic {
 
 /// Content of the checkpoint to go on from; "" where the run starts anew. Throws Error (invalid_input) where
 /// one lies there unasked, or --resume has no folder to look in.
 std::string checkpoint_to_resume(const LongRunArguments& arguments, const std::filesystem::path& file);
-
-/// Tells outputs apart that are columns of a history.
-std::uint64_t fingerprint_of(const std::vector<Output>& outputs);
 
 /// Says what keeps the run, if anything, and throws what the program ends with after a signal.
 [[noreturn]] void end_interrupted(const LongRunArguments& arguments, const std::filesystem::path& file);

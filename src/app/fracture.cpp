@@ -6,13 +6,13 @@
 #include <memory>
 
 #include "app/checkpoint.hpp"
-#include "app/fracture_checkpoint.hpp"
 #include "app/fracture_report.hpp"
 #include "app/interrupt.hpp"
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
 #include "app/terminal.hpp"
 #include "io/replace_file.hpp"
+#include "results/fracture_checkpoint.hpp"
 
 namespace bondstatic {
 

@@ -11,6 +11,7 @@
 #include "app/status_line.hpp"
 #include "app/terminal.hpp"
 #include "io/replace_file.hpp"
+#include "results/output_fingerprint.hpp"
 
 namespace bondstatic {
 

@@ -10,7 +10,6 @@
 #include "statics/acceptance.hpp"
 #include "statics/choose.hpp"
 #include "statics/held.hpp"
-#include "statics/recover.hpp"
 #include "statics/refine.hpp"
 
 namespace bondstatic {

@@ -168,7 +168,7 @@ bool FractureRun::step() {
   if (passes_a_limit(*next)) return false;
   start_event(*next);
   if (result_.events.size() == 1) show(0);
-  if (hooks_.probe) hooks_.probe(result_.events.size() - 1, damaged_.state(factor_));
+  if (hooks_.probe) hooks_.probe(result_.events.size() - 1, state());
   break_bonds();
   if (ended_) return false;
   if (breaks_ >= options_.max_breaks) {
@@ -182,14 +182,20 @@ bool FractureRun::step() {
   return true;
 }
 
+State FractureRun::state() const {
+  State now = damaged_.state(factor_);
+  now.name = model_.load_cases.at(std::size_t(options_.pattern));
+  return now;
+}
+
 void FractureRun::show(std::size_t events) {
   if (!hooks_.show) return;
   if (events == 0) {
     // While all is whole.
     const std::vector<Index> unbroken(result_.break_event.size(), -1);
-    return hooks_.show(0, damaged_.state(factor_), unbroken);
+    return hooks_.show(0, state(), unbroken);
   }
-  hooks_.show(events, damaged_.state(factor_), result_.break_event);
+  hooks_.show(events, state(), result_.break_event);
 }
 
 bool FractureRun::wants_to_go_on() {
@@ -224,7 +230,7 @@ Fracture FractureRun::run() {
     }
   }
   const std::size_t events = result_.events.size();
-  result_.last = damaged_.state(factor_);
+  result_.last = state();
   if (events > 0 && result_.end != FractureEnd::interrupted) show(events);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
   result_.report.seconds += taken.count();

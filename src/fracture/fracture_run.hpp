@@ -32,6 +32,7 @@ class FractureRun {
   Point point(double factor) const;
   void move_to(const Point& to);
   void end(FractureEnd how, std::string reason);
+  State state() const;  ///< now, named after the pattern
   void show(std::size_t events);
   bool wants_to_go_on();
 

@@ -21,7 +21,7 @@ struct Job {
   Callback progress, on_state;
   std::filesystem::path checkpoint;
   double checkpoint_every = 0;
-  KeptRun kept;
+  KeptFracture kept;
   bool stopped = false;
 };
 
@@ -57,7 +57,7 @@ void show(const std::shared_ptr<Job>& job, std::size_t events, const State& stat
 /// A run that goes on from a checkpoint comes again to events that its outputs know.
 void note_outputs(Job& job, std::size_t event, const State& state) {
   for (std::size_t i = 0; i < job.outputs.size(); ++i) {
-    std::vector<double>& column = job.kept.outputs[i].values;
+    std::vector<double>& column = job.kept.record.outputs[i].values;
     column.resize(event);
     column.push_back(evaluate_output(*job.result->model, state, job.outputs[i]));
   }
@@ -78,12 +78,12 @@ void work(const std::shared_ptr<Job>& job, Watch& watch) {
     };
   if (!job->checkpoint.empty())
     hooks.keep = [&](const std::string& run) {
-      keep_run(job->checkpoint, {run, job->kept.outputs}, job->outputs);
+      keep_run(job->checkpoint, {run, job->kept.record}, job->outputs);
     };
   result.fracture = fracture(*result.model, job->options, job->solve, hooks);
   result.interrupted = watch.interrupted() && result.fracture.end == FractureEnd::interrupted;
   const auto& events = result.fracture.events;
-  result.outputs = std::move(job->kept.outputs);
+  result.outputs = std::move(job->kept.record.outputs);
   for (HistoryColumn& column : result.outputs) column.values.resize(events.size(), not_given);
   for (std::size_t e = 0; e < events.size(); ++e)
     for (const BrokenBond& broken : events[e].bonds)

@@ -2,27 +2,21 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
-#include "bondstatic/output.hpp"
-#include "bondstatic/relaxation.hpp"
+#include "results/fracture_checkpoint.hpp"
 
 namespace bondstatic {
 
-struct KeptRun {
-  std::string run;                     ///< FractureHooks::resume; empty: it has not begun
-  std::vector<HistoryColumn> outputs;  ///< a column for each output
-};
-
 /// `path` empty: nothing is kept. Throws Error (invalid_input) where a run lies there and is not to be gone
 /// on with, where the file is damaged, and where it is of other outputs.
-KeptRun kept_run(const std::filesystem::path& path, bool resume, const std::vector<Output>& outputs);
+KeptFracture kept_run(const std::filesystem::path& path, bool resume, const std::vector<Output>& outputs);
 
 /// Of a run that has ended.
 void remove_kept(const std::filesystem::path& path);
 
 /// Replaces the file as a whole.
-void keep_run(const std::filesystem::path& path, const KeptRun& kept, const std::vector<Output>& outputs);
+void keep_run(const std::filesystem::path& path, const KeptFracture& kept,
+              const std::vector<Output>& outputs);
 
 }  // namespace bondstatic

@@ -29,6 +29,15 @@ Json breaking_point(const Model& model, const Fracture& fracture, const Fracture
           {"bonds", bonds_of(model, *event)}};
 }
 
+/// What load and displacement are of this pattern.
+Json curve_of(const Model& model, const FractureOptions& asked) {
+  const FractureWords words = fracture_words(model, asked);
+  return {{"load", words.load},
+          {"load_unit", words.load_unit},
+          {"displacement", words.displacement},
+          {"displacement_unit", words.displacement_unit}};
+}
+
 Json separated_of(const Fracture& fracture) {
   Json bodies = Json::array();
   for (const SeparatedBody& body : fracture.separated)
@@ -84,6 +93,7 @@ std::string fracture_json(const Model& model, const RunInfo& run, const Fracture
            {"control", name_of(asked.control)},
            {"pattern", name_of_case(asked.pattern)},
            {"preload", name_of_case(asked.preload)},
+           {"curve", curve_of(model, asked)},
            {"end", name_of(fracture.end)},
            {"reason", fracture.reason},
            {"events", fracture.events.size()},

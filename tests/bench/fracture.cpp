@@ -227,6 +227,10 @@ void print_break_cost(const BreakCost& asked) {
   const auto is_asked = [](const auto& list, const auto& one) {
     return list.empty() || std::find(list.begin(), list.end(), one) != list.end();
   };
+  for (const Index particles : asked.particles)
+    if (std::none_of(std::begin(sizes), std::end(sizes),
+                     [&](const Size& size) { return size.particles == particles; }))
+      throw std::invalid_argument(std::to_string(particles));
   std::vector<std::string> packings = asked.packings;
   if (packings.empty()) packings = {"disordered FCC", "YADE-like"};
   std::vector<int> threads{1};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -8,6 +9,7 @@
 #include "bench/exchange.hpp"
 #include "bench/fracture.hpp"
 #include "bench/million.hpp"
+#include "bench/packings.hpp"
 #include "bench/ranks.hpp"
 #include "bench/residual.hpp"
 #include "bench/solvers.hpp"
@@ -71,6 +73,14 @@ class Arguments {
   std::vector<std::string> left_;
 };
 
+// A name that there is not would print an empty table.
+void add_packing(const std::string& name, std::vector<std::string>& packings) {
+  const auto& all = families();
+  if (std::none_of(all.begin(), all.end(), [&](const Family& family) { return family.name == name; }))
+    throw std::invalid_argument(name);
+  packings.push_back(name);
+}
+
 void run_solvers(Arguments& arguments) {
   Campaign campaign;
   campaign.plot = BONDSTATIC_BINARY_DIR "/solvers.svg";
@@ -80,7 +90,7 @@ void run_solvers(Arguments& arguments) {
     else if (arguments.take("--quick"))
       campaign.quick = true;
     else if (arguments.take("--packing", name))
-      campaign.packings.push_back(name);
+      add_packing(name, campaign.packings);
     else if (arguments.take("--solver", name))
       campaign.solvers.push_back(name);
     else
@@ -93,7 +103,7 @@ void run_residual(Arguments& arguments) {
   Race race;
   for (std::string name; !arguments.empty();) {
     if (arguments.take("--packing", name))
-      race.packings.push_back(name);
+      add_packing(name, race.packings);
     else if (!arguments.take("--particles", race.particles))
       arguments.refuse();
   }
@@ -126,7 +136,7 @@ void run_fracture(Arguments& arguments) {
   Index number = 0;
   for (std::string name; !arguments.empty();) {
     if (arguments.take("--packing", name))
-      asked.packings.push_back(name);
+      add_packing(name, asked.packings);
     else if (arguments.take("--particles", number))
       asked.particles.push_back(number);
     else

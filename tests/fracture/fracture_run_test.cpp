@@ -285,6 +285,22 @@ TEST(FractureRun, EndsWhereItIsAskedTo) {
   }
 }
 
+TEST(FractureRun, NamesItsStatesAfterThePattern) {
+  Model model = torn_cube(4, true);
+  model.load_cases = {"other", "pull"};
+  for (Load& load : model.loads) load.load_case = 1;
+  FractureOptions options = breaks(2);
+  options.pattern = 1;
+  FractureHooks hooks;
+  int shown = 0;
+  hooks.show = [&](std::size_t, const State& state, const std::vector<Index>&) {
+    EXPECT_EQ(state.name, "pull");
+    ++shown;
+  };
+  EXPECT_EQ(fracture(model, options, on_threads(1), hooks).last.name, "pull");
+  EXPECT_EQ(shown, 2);
+}
+
 TEST(FractureRun, RefusesWhatItCannotRun) {
   const auto message = [](const Model& model, const FractureOptions& options = {}) {
     try {

@@ -36,6 +36,15 @@ void add_bond(Model& model, Index a, Index b, Index block) {
                          block, in_block});
 }
 
+void bond_within(Model& model, double reach) {
+  const Index count = Index(model.particles.size());
+  for (Index a = 0; a < count; ++a)
+    for (Index b = a + 1; b < count; ++b)
+      if ((model.particles[std::size_t(b)].position - model.particles[std::size_t(a)].position).norm() <
+          reach)
+        add_bond(model, a, b);
+}
+
 void fix_all(Model& model, Index particle, const Vector6& value) {
   model.supports.push_back({particle, {true, true, true, true, true, true}, value, every_case});
 }

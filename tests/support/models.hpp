@@ -23,6 +23,9 @@ Index add_particle(Model& model, const Vector3& position, double radius);
 /// Appends a bond of block `block`, ids from 1.
 void add_bond(Model& model, Index a, Index b, Index block = 0);
 
+/// Appends a bond of block 0 between any two particles whose centres are nearer than `reach`.
+void bond_within(Model& model, double reach);
+
 void fix_all(Model& model, Index particle, const Vector6& value = Vector6::Zero());
 void load(Model& model, Index particle, const Vector6& force, Index load_case = every_case);
 

@@ -209,11 +209,8 @@ Model symmetric_block() {
   model.blocks.push_back(block("timoshenko", {{"young", 1e9}, {"poisson", 0.2}, {"radius", 0.2}}));
   for (int n = 0; n < 125; ++n)
     if (n != 62) add_particle(model, Vector3(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2), 0.5);
+  bond_within(model, 1.5);
   const Index count = Index(model.particles.size());
-  for (Index a = 0; a < count; ++a)
-    for (Index b = a + 1; b < count; ++b)
-      if ((model.particles[std::size_t(b)].position - model.particles[std::size_t(a)].position).norm() < 1.5)
-        add_bond(model, a, b);
   for (Index p = 0; p < count; ++p) {
     const double z = model.particles[std::size_t(p)].position.z();
     if (z < -1.5) fix_all(model, p);

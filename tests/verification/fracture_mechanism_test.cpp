@@ -24,11 +24,8 @@ Model contact_lattice() {
   model.blocks.push_back(block("contact", {{"kn", 1e6}, {"ks", 5e5}}));
   for (int n = 0; n < 216; ++n)
     if ((n % 6 + n / 6 % 6 + n / 36) % 2 == 0) add_particle(model, Vector3(n % 6, n / 6 % 6, n / 36), 0.7);
+  bond_within(model, 1.5);
   const Index count = Index(model.particles.size());
-  for (Index a = 0; a < count; ++a)
-    for (Index b = a + 1; b < count; ++b)
-      if ((model.particles[std::size_t(b)].position - model.particles[std::size_t(a)].position).norm() < 1.5)
-        add_bond(model, a, b);
   for (Index p = 0; p < count; ++p) {
     const double z = model.particles[std::size_t(p)].position.z();
     if (z < 0.5) fix_all(model, p);

@@ -93,46 +93,51 @@ TEST(FibreBundle, EqualFibresBreakTogether) {
   EXPECT_EQ(found.end, FractureEnd::separated);
 }
 
+constexpr Index chain_bonds = 20;
+constexpr double chain_length = 10, chain_radius = 0.05, chain_strength = 3e6;
+
+/// Held at its first particle; only the normal stress can break it.
+Model breakable_chain() {
+  Model model = chain(block("timoshenko", {{"young", 1e10}, {"poisson", 0.25}, {"radius", chain_radius}}),
+                      Vector3::Zero(), Vector3(chain_length, 0, 0), chain_bonds, 0.2);
+  model.blocks[0].strength =
+      strength("edem-v2", {{"critical_normal_stress", chain_strength}, {"critical_shear_stress", 1e12}});
+  return model;
+}
+
 /// Tip load P across a chain of n bonds: the root bond's stress is that of the moment at its contact point.
 TEST(FracturedCantilever, BreaksAtTheRootAtTheClosedFormLoad) {
-  const Index n = 20;
-  const double length = 10, radius = 0.05, critical = 3e6, axial = 7;
-  Model model = chain(block("timoshenko", {{"young", 1e10}, {"poisson", 0.25}, {"radius", radius}}),
-                      Vector3::Zero(), Vector3(length, 0, 0), n, 0.2);
-  model.blocks[0].strength =
-      strength("edem-v2", {{"critical_normal_stress", critical}, {"critical_shear_stress", 1e12}});
-  load(model, n, vector6(axial, 0, -1));
+  const double axial = 7;
+  Model model = breakable_chain();
+  load(model, chain_bonds, vector6(axial, 0, -1));
   const Fracture found = fracture(model, {}, one_thread());
   ASSERT_EQ(found.events.size(), 1u);
   EXPECT_EQ(found.events[0].bonds[0].bond, 0);
-  const double area = pi * radius * radius, inertia = pi * std::pow(radius, 4) / 4;
-  const double lever = length - length / double(2 * n);
-  EXPECT_NEAR(found.events[0].factor / (critical / (axial / area + lever * radius / inertia)), 1, 1e-13);
+  const double area = pi * chain_radius * chain_radius, inertia = pi * std::pow(chain_radius, 4) / 4;
+  const double lever = chain_length - chain_length / double(2 * chain_bonds);
+  EXPECT_NEAR(found.events[0].factor / (chain_strength / (axial / area + lever * chain_radius / inertia)), 1,
+              1e-13);
   EXPECT_EQ(found.end, FractureEnd::separated);
   EXPECT_NE(found.reason.find("free"), std::string::npos) << found.reason;
 }
 
 /// A preload of tension on the same chain: the factor is what is missing.
 TEST(FracturedCantilever, PreloadCountsAndDoesNotScale) {
-  const Index n = 20;
-  const double length = 10, radius = 0.05, critical = 3e6, tension = 9e3;
-  Model model = chain(block("timoshenko", {{"young", 1e10}, {"poisson", 0.25}, {"radius", radius}}),
-                      Vector3::Zero(), Vector3(length, 0, 0), n, 0.2);
-  model.blocks[0].strength =
-      strength("edem-v2", {{"critical_normal_stress", critical}, {"critical_shear_stress", 1e12}});
+  const double tension = 9e3;
+  Model model = breakable_chain();
   model.load_cases = {"tension", "bend"};
-  load(model, n, vector6(tension, 0, 0), 0);
-  load(model, n, vector6(0, 1, -2), 1);
+  load(model, chain_bonds, vector6(tension, 0, 0), 0);
+  load(model, chain_bonds, vector6(0, 1, -2), 1);
   FractureOptions options;
   options.preload = 0;
   options.pattern = 1;
   const Fracture found = fracture(model, options, one_thread());
-  const double area = pi * radius * radius, inertia = pi * std::pow(radius, 4) / 4;
-  const double lever = length - length / double(2 * n);
+  const double area = pi * chain_radius * chain_radius, inertia = pi * std::pow(chain_radius, 4) / 4;
+  const double lever = chain_length - chain_length / double(2 * chain_bonds);
   ASSERT_EQ(found.events.size(), 1u);
-  EXPECT_NEAR(
-      found.events[0].factor / ((critical - tension / area) / (std::sqrt(5.0) * lever * radius / inertia)), 1,
-      1e-13);
+  EXPECT_NEAR(found.events[0].factor /
+                  ((chain_strength - tension / area) / (std::sqrt(5.0) * lever * chain_radius / inertia)),
+              1, 1e-13);
 }
 
 /// W. Weibull's fibres: N exp(-(F / F_0)^m) of them hold F each; the largest sum is at F = F_0 m^(-1/m).

@@ -1,9 +1,10 @@
-#include "app/fracture_checkpoint.hpp"
+#include "results/fracture_checkpoint.hpp"
 
 #include <fmt/format.h>
 
-#include "app/checkpoint.hpp"
+#include "bondstatic/error.hpp"
 #include "io/archive.hpp"
+#include "results/output_fingerprint.hpp"
 
 namespace bondstatic {
 

@@ -2,8 +2,9 @@
 // before.
 #pragma once
 
-#include "app/commands.hpp"
-#include "bondstatic/case_file.hpp"
+#include <string>
+#include <vector>
+
 #include "bondstatic/results.hpp"
 
 namespace bondstatic {
