@@ -24,6 +24,10 @@ namespace {
 constexpr std::size_t merge_width[3] = {12, 48, 96};
 constexpr double merge_zeros[3] = {0.9, 0.2, 0.02};
 
+// BLAS divides every supernode among its threads. Those of a small factor are done before the others have
+// woken up.
+constexpr double flops_worth_threads = 3e9;
+
 // Above this many bodies METIS halves the flops of AMD; below, AMD is as good and starts at once.
 constexpr Index metis_from = 2000;
 
@@ -70,7 +74,7 @@ class Cholmod final : public LinearSolver {
 
   FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) override {
     assemble(network, incidence_, graph_, dofs, threads_, matrix_);
-    const SolverThreads guard(threads_);
+    const SolverThreads guard(blas_threads());
     cholmod_sparse a = view();
     cholmod_l_factorize(&a, factor_, &common_);
     if (common_.status == CHOLMOD_NOT_POSDEF)
@@ -80,7 +84,7 @@ class Cholmod final : public LinearSolver {
   }
 
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) override {
-    const SolverThreads guard(threads_);
+    const SolverThreads guard(blas_threads());
     cholmod_dense b{};
     b.nrow = b.d = std::size_t(right_hand_sides.rows());
     b.ncol = std::size_t(right_hand_sides.cols());
@@ -116,6 +120,8 @@ class Cholmod final : public LinearSolver {
   }
 
  private:
+  int blas_threads() const { return report_.factor_flops < flops_worth_threads ? 1 : threads_; }
+
   // K seen by CHOLMOD without a copy.
   cholmod_sparse view() {
     cholmod_sparse a{};

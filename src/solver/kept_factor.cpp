@@ -12,12 +12,15 @@ namespace bondstatic {
 
 namespace {
 
-// What a solve leaves is as small as what rounding leaves of a direct one, where refinement takes two rounds.
-constexpr double reduction = 0x1p-36;
+// Little is asked of a solve: the rounds of refinement, which form residuals anew, then end where they have
+// enough, and not up to a whole solve later.
+constexpr double reduction = 0x1p-18;
 
-// Rounds of refinement: three for the state, two for derivatives. The number of threads has no say, so that
+// What refinement asks of the state and of its derivatives, which begin from those of numbers close by, and
+// the solves that it takes for both with a factor of their own. The number of threads has no say, so that
 // answers do not depend on it.
-constexpr int solves_a_factor = 5;
+constexpr double enough = 0x1p-84;
+constexpr int solves_of_its_own = 4;
 
 /// Takes the ratio of one stiffness, zero on both sides where there is none. False: it came or went.
 bool take(double before, double now, StiffnessChange& change) {
@@ -75,8 +78,9 @@ AnalysisReport KeptFactor::analyse(const BondNetwork& network, const FreeDofs& d
 }
 
 bool KeptFactor::worth_keeping(const StiffnessChange& change, const BondNetwork& network) const {
-  const int more = iterations_for(change.spread(), reduction) - 1;
-  return solves_a_factor * more * kept_factor_seconds(analysis_, Index(network.links.size())) <=
+  const double begun_at = std::min(1.0, change.spread() - 1);
+  const int more = 2 * iterations_for(change.spread(), std::min(1.0, enough / begun_at)) - solves_of_its_own;
+  return more * kept_factor_seconds(analysis_, Index(network.links.size())) <=
          factorisation_seconds(analysis_, rates_);
 }
 
@@ -119,6 +123,11 @@ Eigen::MatrixXd KeptFactor::product(const Eigen::MatrixXd& motions) const {
 Eigen::MatrixXd KeptFactor::solve(const Eigen::MatrixXd& right_hand_sides) {
   iterations_ = 0;
   if (!kept_) return direct_->solve(right_hand_sides);
+  if (kept_->spread() - 1 <= reduction) {
+    // u . K u between least and most of u . K_0 u: the best multiple of the factor's answer is that close.
+    iterations_ = 1;
+    return 2 / (kept_->least + kept_->most) * direct_->solve(right_hand_sides);
+  }
   const int most = 2 * iterations_for(kept_->spread(), reduction) + 2;
   Eigen::MatrixXd r = right_hand_sides;
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(r.rows(), r.cols()), p = x;

@@ -7,8 +7,9 @@
 //     error <= 2 ((sqrt(k) - 1) / (sqrt(k) + 1))^n,   k = beta / alpha
 //
 // tells beforehand (G. H. Golub & C. F. Van Loan, Matrix Computations, 4th ed., 11.3): one where all bonds
-// change alike. Whether that is less than a factorisation is decided by counts, never by the clock, so that
-// runs repeat.
+// change alike. Where they nearly do, 2 / (alpha + beta) times the factor's own answer is good to (k - 1) /
+// (k + 1), and no product with K' is needed. Whether iterations are less than a factorisation is decided by
+// counts, never by the clock, so that runs repeat.
 #pragma once
 
 #include <memory>
@@ -42,6 +43,8 @@ class KeptFactor final : public LinearSolver {
 
   AnalysisReport analyse(const BondNetwork& network, const FreeDofs& dofs) override;
   FactorReport factorise(const BondNetwork& network, const FreeDofs& dofs) override;
+  /// On its own factor to rounding, else to five digits: refinement asks for the next ones where it needs
+  /// them.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) override;
 
   /// Iterations of the last solve(): 0 on its own factor.

@@ -1,27 +1,13 @@
 #include "statics/adjoint.hpp"
 
 #include "model/cell.hpp"
+#include "system/link_sweeps.hpp"
 
 namespace bondstatic {
 namespace {
 
 using Extended3 = Vector3T<Extended>;
 using Extended6 = Vector6T<Extended>;
-
-/// epsilon . (dC/dc) delta for each number c of C; see resultants() in bond.hpp.
-struct Products {
-  Extended kn = 0.0, ks = 0.0, kt = 0.0, kb = 0.0, coupling = 0.0;
-
-  void add(const Extended3& axis, const Extended6& epsilon, const Extended6& delta) {
-    const Extended3 ed = epsilon.head<3>(), er = epsilon.tail<3>(), d = delta.head<3>(), r = delta.tail<3>();
-    const Extended along_d = axis.dot(d), along_r = axis.dot(r);
-    kn += axis.dot(ed) * along_d;
-    ks += ed.dot(d - along_d * axis);
-    kt += axis.dot(er) * along_r;
-    kb += er.dot(r - along_r * axis);
-    coupling += er.dot(axis.cross(d)) - ed.dot(axis.cross(r));
-  }
-};
 
 }  // namespace
 
@@ -119,28 +105,23 @@ BodyVectors<Extended> times(const Extended& factor, const BodyVectors<Extended>&
 void add_gradient(const BondNetwork& network, const std::vector<BondProperties>& properties,
                   const Functional& functional, const LinkWeights& weights, const SolvedState& state,
                   const BodyVectors<Extended>& adjoint, int threads, BondGradients& gradient) {
-  const Index links = Index(network.links.size());
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && links > worth_threads)
-  for (Index i = 0; i < links; ++i) {
-    const auto k = std::size_t(i);
-    const Link& link = network.links[k];
-    if (state.left_out[std::size_t(link.a)]) continue;
-    const Extended3 axis = bond_axis<Extended>(link);
-    const Extended6 delta = link_motion<Extended>(link, state.motion, state.strain);
-    // A bond's energy is delta . q / 2: half of its change by C is delta's alone.
-    const Extended6 felt =
-        link_motion<Extended>(link, adjoint, Matrix3::Zero()) + Extended(0.5 * weights.energy[k]) * delta;
-    Products products;
-    products.add(axis, felt, delta);
-    // Equilibrium does not see moments that stay in the bond, those who ask for them do.
-    if (!properties[k].moments_fed_back) products.kt = products.kb = 0.0;
-    if (!weights.resultants[k].isZero(0)) products.add(axis, weights.resultants[k].cast<Extended>(), delta);
+  // A bond's energy is delta . q / 2: half of its change by C is delta's alone. Equilibrium does not see
+  // moments that stay in the bond, those who ask for them do.
+  std::vector<double> half_energy, fed_back;
+  for (std::size_t k = 0; k < network.links.size(); ++k) {
+    half_energy.push_back(0.5 * weights.energy[k]);
+    fed_back.push_back(properties[k].moments_fed_back ? 1 : 0);
+  }
+  const auto products = stiffness_products(network, state.motion, state.strain,
+                                           {adjoint, half_energy, weights.resultants, fed_back}, threads);
+  for (std::size_t k = 0; k < network.links.size(); ++k) {
+    if (state.left_out[std::size_t(network.links[k].a)]) continue;
     SectionStiffness& of = gradient[k].stiffness;
-    of.kn += to_double(products.kn);
-    of.ks += to_double(products.ks);
-    of.kt += to_double(products.kt);
-    of.kb += to_double(products.kb);
-    of.coupling += to_double(products.coupling);
+    of.kn += products[k].kn;
+    of.ks += products[k].ks;
+    of.kt += products[k].kt;
+    of.kb += products[k].kb;
+    of.coupling += products[k].coupling;
   }
   for (const BondWeight& bond : functional.bonds)
     if (!state.left_out[std::size_t(network.links[std::size_t(bond.bond)].a)])

@@ -4,6 +4,7 @@
 
 #include "model/cell.hpp"
 #include "statics/outside_forces.hpp"
+#include "system/link_sweeps.hpp"
 #include "system/together.hpp"
 
 namespace bondstatic {
@@ -53,12 +54,11 @@ struct Sums {
 
 /// What one bond carries; adds nothing up, so that many can be formed at once. `motion` is that beyond the
 /// strain of a periodic cell.
-Sums carry(const Link& link, const BondProperties& bond, const BodyVectors<Extended>& motion,
-           const Matrix3& strain, bool periodic, BondResult& found) {
+Sums carry(const Link& link, const BondProperties& bond, const LinkState& state,
+           const BodyVectors<Extended>& motion, const Matrix3& strain, bool periodic, BondResult& found) {
   const auto a = std::size_t(link.a), b = std::size_t(link.b);
   const Extended3 axis = bond_axis<Extended>(link);
-  const Extended6 delta = link_motion<Extended>(link, motion, strain);
-  const Extended6 q = resultants<Extended>(link.stiffness, axis, delta);
+  const auto& [delta, q] = state;
   const Vector6 moved = motion_magnitude(link, motion[a].cast<double>(), motion[b].cast<double>(), strain);
   const Vector6 magnitude = resultant_magnitude(bond.stiffness, axis.cast<double>(), moved);
   // With torque feedback off the bond still carries moments that equilibrium does not see.
@@ -133,20 +133,26 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
         left_out[p] ? Vector6(Vector6::Constant(not_given)) : whole_motion(model, strain, p, motion[p]);
 
   // Sums in the order of the bonds whatever the threads, a block at a time.
-  constexpr Index block = 1 << 14;
+  constexpr Index block = 1 << 14, piece = 1 << 8;
   std::vector<Sums> of_bond(std::size_t(std::min(block, bonds)));
+  std::vector<LinkState> state(of_bond.size());
   Sums sums;
   for (Index first = 0; first < bonds; first += block) {
     const Index last = std::min(bonds, first + block);
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
-    for (Index k = first; k < last; ++k) {
-      const Link& link = network.links[std::size_t(k)];
-      BondResult& found = result.bonds[std::size_t(k)];
-      Sums& own = of_bond[std::size_t(k - first)];
-      if (left_out[std::size_t(link.a)])
-        found = left_out_bond(), own = {};
-      else
-        own = carry(link, properties[std::size_t(k)], motion, strain, model.cell.has_value(), found);
+    for (Index begin = first; begin < last; begin += piece) {
+      const Index end = std::min(last, begin + piece);
+      link_states(network, motion, strain, begin, end, state.data() + (begin - first));
+      for (Index k = begin; k < end; ++k) {
+        const Link& link = network.links[std::size_t(k)];
+        BondResult& found = result.bonds[std::size_t(k)];
+        Sums& own = of_bond[std::size_t(k - first)];
+        if (left_out[std::size_t(link.a)])
+          found = left_out_bond(), own = {};
+        else
+          own = carry(link, properties[std::size_t(k)], state[std::size_t(k - first)], motion, strain,
+                      model.cell.has_value(), found);
+      }
     }
     for (Index k = first; k < last; ++k) {
       if (!network.owns(network.links[std::size_t(k)])) continue;

@@ -68,9 +68,10 @@ Rounds refine(const BondNetwork& network, const Incidence& incidence, const Free
 std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
                                                  const FreeDofs& dofs,
                                                  const std::vector<const Boundary*>& cases,
-                                                 LinearSolver* solver, double pivot_ratio, int threads) {
-  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, early_enough, nullptr,
-                         nullptr, {});
+                                                 LinearSolver* solver, double pivot_ratio, int threads,
+                                                 const FromBefore& before) {
+  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, before.enough,
+                         nullptr, nullptr, before);
   std::vector<BodyVectors<Extended>> motions;
   for (Iterate& iterate : rounds.iterates) motions.push_back(std::move(iterate.motion));
   return motions;

@@ -62,11 +62,12 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
                                    const std::function<void(const std::string&)>& progress,
                                    Ranks* ranks = nullptr, const FromBefore& before = {});
 
-/// The motions alone, as far as derivatives need them: what is left is below 1e-20 of the largest entry, by
-/// what the corrections of a direct solver tell. One process. Throws likewise.
+/// The motions alone, as far as derivatives need them: what is left is below 1e-20 of the largest entry, or
+/// what `before` says, by what the corrections of a direct solver tell. One process. Throws likewise.
 std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
                                                  const FreeDofs& dofs,
                                                  const std::vector<const Boundary*>& cases,
-                                                 LinearSolver* solver, double pivot_ratio, int threads);
+                                                 LinearSolver* solver, double pivot_ratio, int threads,
+                                                 const FromBefore& before = {});
 
 }  // namespace bondstatic

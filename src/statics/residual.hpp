@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "model/boundary.hpp"
-#include "system/extended.hpp"
-#include "system/natural_form.hpp"
+#include "system/link_sweeps.hpp"
 
 namespace bondstatic {
 
@@ -18,8 +18,12 @@ BodyVectors<Scalar> residual(const BondNetwork& network, const Incidence& incide
   // Nearly always so at the start.
   const auto at_rest = [](const Vector6T<Scalar>& u) { return u.isZero(Scalar(0.0)); };
   if (boundary.strain.isZero(0) && std::all_of(motion.begin(), motion.end(), at_rest)) return r;
-  const auto q = link_resultants<Scalar>(network, motion, threads, boundary.strain);
-  const auto carried = gather_forces<Scalar>(network, incidence, q, threads);
+  BodyVectors<Scalar> carried;
+  if constexpr (std::is_same_v<Scalar, Extended>)
+    carried = carried_forces(network, incidence, motion, boundary.strain, threads);
+  else
+    carried = gather_forces<Scalar>(
+        network, incidence, link_resultants<Scalar>(network, motion, threads, boundary.strain), threads);
   for (std::size_t p = 0; p < r.size(); ++p) r[p] -= carried[p];
   return r;
 }

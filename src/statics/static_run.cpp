@@ -269,8 +269,11 @@ std::vector<BondGradients> StaticRun::gradients(const std::vector<Functionals>& 
         multiples.push_back(multiple_of(boundaries_[c], boundaries[i]));
         if (!multiples.back()) loads.push_back(&boundaries[i]);
       }
-      const auto solved_for = solve_adjoint(network_, incidence_, group.held.dofs, loads,
-                                            group.chosen.solver.get(), group.pivot_ratio, threads_);
+      FromBefore before;
+      if (first == 0 && group.kept && group.kept->kept() && group.adjoints.size() == loads.size())
+        before = {.motions = &group.adjoints, .enough = far_below_last_digit};
+      auto solved_for = solve_adjoint(network_, incidence_, group.held.dofs, loads, group.chosen.solver.get(),
+                                      group.pivot_ratio, threads_, before);
       auto next = solved_for.begin();
       for (std::size_t i = 0; i < count; ++i) {
         const Task& task = tasks[first + i];
@@ -279,6 +282,7 @@ std::vector<BondGradients> StaticRun::gradients(const std::vector<Functionals>& 
         add_gradient(network_, properties_, *task.functional, weights[i], state, adjoint, threads_,
                      gradients[task.scalar]);
       }
+      if (first == 0) group.adjoints = std::move(solved_for);
     }
   }
   return gradients;

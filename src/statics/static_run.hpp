@@ -38,6 +38,8 @@ class StaticRun {
     /// numbers.
     std::vector<double> rounding = {};
     KeptFactor* kept = nullptr;  ///< the chosen solver, where it is one
+    /// Of the last derivatives, as many as are solved for at once: where the next ones begin.
+    std::vector<BodyVectors<Extended>> adjoints = {};
   };
 
   static std::string reason_of(const Group& group);

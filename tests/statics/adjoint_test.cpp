@@ -272,6 +272,38 @@ TEST(StaticAnalysis, DerivativesOnAKeptFactorAreExactAtBothEnds) {
   EXPECT_NEAR(derivative(gradients[1], young), -force / 6e9, 1e-13 * std::abs(force / 6e9));
 }
 
+// On a kept factor adjoint motions begin where the last ones ended, whatever those were of.
+TEST(StaticAnalysis, DerivativesAfterOthersAreThoseOfAnAnalysisOfItsOwn) {
+  Model model = pressed_packing(5e9, 0.2);
+  Functional sideways, upwards;
+  sideways.displacement.emplace_back(170, vector6(1, 0, 0, 0, 0, 0));
+  upwards.displacement.emplace_back(180, vector6(0, 0, 1e9, 0, 3, 0));
+  StaticAnalysis analysis(model, direct());
+  analysis.solve();
+  analysis.gradients({{upwards}});
+  for (const std::vector<double>& parameters :
+       {std::vector{6e9, 0.2 + 1e-7}, std::vector{6.1e9, 0.2 + 2e-7}}) {
+    model.blocks[0].parameters = parameters;
+    ASSERT_EQ(analysis.solve().report.factorisations, 0);
+    const BondGradients again = analysis.gradients({{sideways}})[0];
+    StaticAnalysis own(model, direct());
+    own.solve();
+    const BondGradients fresh = own.gradients({{sideways}})[0];
+    double SectionStiffness::*const numbers_of_c[] = {&SectionStiffness::kn, &SectionStiffness::ks,
+                                                      &SectionStiffness::kt, &SectionStiffness::kb};
+    for (const auto number : numbers_of_c) {
+      double largest = 0, difference = 0;
+      for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const double expected = fresh[k].stiffness.*number;
+        largest = std::max(largest, std::abs(expected));
+        difference = std::max(difference, std::abs(again[k].stiffness.*number - expected));
+      }
+      EXPECT_GT(largest, 0);
+      EXPECT_LE(difference, 1.2e-16 * largest);
+    }
+  }
+}
+
 TEST(StaticAnalysis, BeginsAnewWhereTheModelIsAnotherOne) {
   Model model = scattered_packing(6);
   StaticAnalysis analysis(model, {});
