@@ -4,13 +4,16 @@
 # libopenblas0-pthread by name: libsuitesparse-dev is content with the much slower reference BLAS.
 solver_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev libtomlplusplus-dev
                  nlohmann-json3-dev libqd-dev libsuitesparse-dev libopenblas0-pthread libspectra-dev
-                 libceres-dev libboost-dev)
+                 libceres-dev libboost-dev libpugixml-dev zlib1g-dev)
+# Of the page of reports, whose parts npm brings. Another npm than Debian's will do, and could not stand beside it.
+page_packages=()
+command -v npm >/dev/null && command -v node >/dev/null || page_packages=(nodejs npm)
 # PETSc brings MPI and about 90 packages: only for those who ask for it, and for the tests.
 petsc_packages=(petsc-dev pkgconf)
 # Of the Python module, its examples and its tests.
 python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib)
-# The last three are other codes, whose files are read: yade brings about 100 packages.
-test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 mypy gnuplot-nox lammps liggghts yade)
+# chromium opens reports. The last three are other codes, whose files are read: yade brings about 100 packages.
+test_packages=(libgtest-dev libgmock-dev python3 python3-vtk9 mypy gnuplot-nox chromium lammps liggghts yade)
 
 say() { echo "bondstatic: $*" >&2; }
 

@@ -6,7 +6,9 @@
 // bonds.csv      id, a, b, fx, fy, fz, mx, my, mz, normal_force, shear_force, twisting_moment,
 // bending_moment, sigma,
 //                tau, energy (fx ... mz: what the bond does to particle b, at the contact point, global axes)
-// model.vtu      points are particles, lines are bonds; the columns above, vectors where they are vectors
+// model.vtu      points are particles, lines are bonds; the columns above, vectors where they are vectors;
+//                of the load case: fixed (1 x, 2 y, 4 z, 8 rx, 16 ry, 32 rz, summed), applied_force,
+//                applied_moment; radius of the bonds' sections (NaN: none)
 //
 // Where outputs have sensitivities: sensitivities.csv, and bond_sensitivities.csv where they have them bond
 // by bond.
@@ -112,7 +114,8 @@ void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& 
 //                time of the series, as displacement may fall
 //
 // In bonds.csv and in the grids bonds have break_step, the step in which they broke (0: whole), and
-// utilisation (empty: broken, left out, or without a strength). A broken bond carries zero.
+// utilisation (empty: broken, left out, or without a strength). A broken bond carries zero. Loads in the
+// grids are those of the pattern as the case gives them, not times the factor.
 //
 // As long as such a run is under way, what it has shown lies in fracture.unfinished, with a fracture.pvd that
 // ParaView can follow, and what it found in fracture.checkpoint.

@@ -2,6 +2,8 @@
 #include <memory>
 
 #include "app/parsed_commands.hpp"
+#include "app/with_report.hpp"
+#include "system/ranks.hpp"
 
 namespace bondstatic {
 
@@ -21,12 +23,17 @@ void add_solve_options(CLI::App& command, SolveArguments& arguments) {
       ->check(CLI::Range(1, 4096));
 }
 
+void add_report_option(CLI::App& command, SolveArguments& arguments) {
+  command.add_flag("--report", arguments.report, "write report.html into DIR, too: results to look at");
+}
+
 namespace {
 
 ParsedCommand solve_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("solve", "solve a case");
   const auto arguments = std::make_shared<SolveArguments>();
   add_solve_options(*parser, *arguments);
+  add_report_option(*parser, *arguments);
   parser->add_flag("--json", arguments->json, "print the answer as JSON");
   const auto sensitivities = std::make_shared<Sensitivities>(Sensitivities::none);
   parser->add_flag_callback(
@@ -39,7 +46,8 @@ ParsedCommand solve_command(CLI::App& app) {
   return {parser,
           [arguments, sensitivities](const std::vector<std::string>& backend_options, Ranks* ranks) {
             arguments->backend_options = backend_options;
-            return solve(*arguments, *sensitivities, ranks);
+            if (ranks && ranks->rank() != 0) return solve(*arguments, *sensitivities, ranks);
+            return with_report(*arguments, [&] { return solve(*arguments, *sensitivities, ranks); });
           },
           true, true};
 }
@@ -48,6 +56,7 @@ ParsedCommand sweep_command(CLI::App& app) {
   CLI::App* parser = app.add_subcommand("sweep", "solve a case over a grid of values: one table (CSV)");
   const auto arguments = std::make_shared<SweepArguments>();
   add_solve_options(*parser, arguments->solve);
+  add_report_option(*parser, arguments->solve);
   parser
       ->add_option(
           "--vary", arguments->vary,
@@ -59,7 +68,7 @@ ParsedCommand sweep_command(CLI::App& app) {
   return {parser,
           [arguments](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->solve.backend_options = backend_options;
-            return sweep(*arguments);
+            return with_report(arguments->solve, [&] { return sweep(*arguments); });
           },
           true};
 }
@@ -69,6 +78,7 @@ ParsedCommand long_run_command(CLI::App& app, const char* name, const char* what
   CLI::App* parser = app.add_subcommand(name, what);
   const auto arguments = std::make_shared<LongRunArguments>();
   add_solve_options(*parser, arguments->solve);
+  add_report_option(*parser, arguments->solve);
   parser->add_flag("--json", arguments->solve.json, "print the answer as JSON");
   parser->add_flag("--resume", arguments->resume, "go on from the checkpoint in DIR where there is one");
   parser
@@ -79,7 +89,7 @@ ParsedCommand long_run_command(CLI::App& app, const char* name, const char* what
   return {parser,
           [arguments, run](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->solve.backend_options = backend_options;
-            return run(*arguments);
+            return with_report(arguments->solve, [&] { return run(*arguments); });
           },
           true};
 }
@@ -99,11 +109,12 @@ ParsedCommand check_command(CLI::App& app) {
       app.add_subcommand("check", "static answer and explicit run of a case: a certificate that they agree");
   const auto arguments = std::make_shared<SolveArguments>();
   add_solve_options(*parser, *arguments);
+  add_report_option(*parser, *arguments);
   parser->add_flag("--json", arguments->json, "print the certificate as JSON");
   return {parser,
           [arguments](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->backend_options = backend_options;
-            return check(*arguments);
+            return with_report(*arguments, [&] { return check(*arguments); });
           },
           true};
 }
@@ -113,20 +124,31 @@ ParsedCommand calibrate_command(CLI::App& app) {
       "calibrate", "find the bond parameters that make outputs of the case what was measured: [calibration]");
   const auto arguments = std::make_shared<SolveArguments>();
   add_solve_options(*parser, *arguments);
+  add_report_option(*parser, *arguments);
   parser->add_flag("--json", arguments->json, "print the answer as JSON");
   return {parser,
           [arguments](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->backend_options = backend_options;
-            return calibrate(*arguments);
+            return with_report(*arguments, [&] { return calibrate(*arguments); });
           },
           true};
+}
+
+ParsedCommand report_command(CLI::App& app) {
+  CLI::App* parser = app.add_subcommand(
+      "report", "results of any command as one HTML file that opens in a browser, without a network");
+  const auto arguments = std::make_shared<ReportArguments>();
+  parser->add_option("DIR", arguments->folders, "folders of results, shown side by side")->required();
+  parser->add_option("--out", arguments->file, "the file (default: report.html in DIR; of several, here)")
+      ->type_name("FILE");
+  return {parser, [arguments](const std::vector<std::string>&, Ranks*) { return show_report(*arguments); }};
 }
 
 }  // namespace
 
 std::vector<ParsedCommand> add_case_commands(CLI::App& app) {
-  return {solve_command(app),    sweep_command(app), relax_command(app),
-          fracture_command(app), check_command(app), calibrate_command(app)};
+  return {solve_command(app), sweep_command(app),     relax_command(app), fracture_command(app),
+          check_command(app), calibrate_command(app), report_command(app)};
 }
 
 }  // namespace bondstatic

@@ -20,6 +20,7 @@ struct SolveArguments {
   std::vector<std::string> backend_options;  ///< what stands behind --, for the solver's own library
   int threads = 0;                           ///< 0: the case's choice
   bool json = false;
+  bool report = false;  ///< report.html among the results
 };
 /// Derivatives of the outputs to the parameters of the bonds' laws.
 enum class Sensitivities { none, by_block, by_bond };
@@ -92,6 +93,12 @@ struct CompareArguments {
   std::optional<std::string> load_case;
 };
 ExitCode compare(const CompareArguments& arguments);
+
+struct ReportArguments {
+  std::vector<std::string> folders;  ///< of results
+  std::string file;                  ///< "": report.html in the only folder, or in the current one
+};
+ExitCode show_report(const ReportArguments& arguments);
 
 ExitCode solvers(bool json);
 

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "app/parsed_commands.hpp"
+#include "app/with_report.hpp"
 
 namespace bondstatic {
 
@@ -75,6 +76,7 @@ ParsedCommand compare_command(CLI::App& app) {
       "compare", "a DEM run's end state beside the static answer: the same, and if not, why");
   const auto arguments = std::make_shared<CompareArguments>();
   add_solve_options(*parser, arguments->solve);
+  add_report_option(*parser, arguments->solve);
   parser->add_option("RUN", arguments->run, "dump or table with ids, positions and orientations")->required();
   parser->add_option("--bonds", arguments->bonds, "local dump or table with the forces of the run's bonds")
       ->type_name("FILE");
@@ -103,7 +105,7 @@ ParsedCommand compare_command(CLI::App& app) {
   return {parser,
           [arguments](const std::vector<std::string>& backend_options, Ranks*) {
             arguments->solve.backend_options = backend_options;
-            return compare(*arguments);
+            return with_report(arguments->solve, [&] { return compare(*arguments); });
           },
           true};
 }

@@ -21,7 +21,10 @@ struct ParsedCommand {
 /// CASE, --out, --set, --solver, --threads.
 void add_solve_options(CLI::App& command, SolveArguments& arguments);
 
-/// solve, sweep, relax, fracture, check, calibrate.
+/// --report, of commands that write results.
+void add_report_option(CLI::App& command, SolveArguments& arguments);
+
+/// solve, sweep, relax, fracture, check, calibrate; report, of what they wrote.
 std::vector<ParsedCommand> add_case_commands(CLI::App& app);
 
 /// Models and runs of other codes: import, export, compare, translate.

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "bondstatic/types.hpp"
 #include "io/output_file.hpp"
@@ -18,5 +21,8 @@ using BytesOf = std::function<void(Index begin, std::span<std::byte> into)>;
 
 /// Writes `size` bytes as one stream of letters.
 void write_base64(OutputFile& file, Index size, const BytesOf& bytes_of);
+
+/// The bytes of one padded stream; nothing where it is none (a line break within it is no letter, either).
+std::optional<std::vector<std::byte>> decode_base64(std::string_view letters);
 
 }  // namespace bondstatic

@@ -1,5 +1,9 @@
 #include "results/columns.hpp"
 
+#include <algorithm>
+
+#include "bond/bond_radii.hpp"
+#include "model/boundary.hpp"
 #include "results/quantities.hpp"
 
 namespace bondstatic {
@@ -23,6 +27,19 @@ Column vectors(const std::string& name, const std::vector<Vector6>& of, int firs
 
 Column particle_ids(const Model& model) {
   return column_of("id", model.particles, [](const Particle& particle) { return particle.id; });
+}
+
+Index load_case_of(const Model& model, const State& state) {
+  const auto found = std::find(model.load_cases.begin(), model.load_cases.end(), state.name);
+  return found == model.load_cases.end() ? every_case : Index(found - model.load_cases.begin());
+}
+
+/// Three components of each particle's load, from `first`.
+Column loads(const std::string& name, const std::shared_ptr<const Boundary>& boundary, int first) {
+  return {name, 3 * Index(boundary->load.size()), Column::Numbers<double>([boundary, first](Index i) {
+            return boundary->load[std::size_t(i / 3)][first + i % 3];
+          }),
+          3};
 }
 
 }  // namespace
@@ -55,12 +72,27 @@ std::vector<Column> bond_columns(const Model& model, const State& result) {
 }
 
 std::vector<Column> point_data(const Model& model, const State& result) {
+  Boundary found = boundary_of(model, load_case_of(model, result));
+  found.prescribed = {};
+  const auto boundary = std::make_shared<const Boundary>(std::move(found));
+  const Column fixed("fixed", Index(boundary->free.size()), Column::Numbers<Index>([boundary](Index i) {
+                       return Index(0x3f & ~boundary->free[std::size_t(i)]);
+                     }));
   return {particle_ids(model),
           column_of("radius", model.particles, [](const Particle& particle) { return particle.radius; }),
           vectors("displacement", result.displacement, 0),
           vectors("rotation", result.displacement, 3),
           vectors("reaction_force", result.reaction, 0),
-          vectors("reaction_moment", result.reaction, 3)};
+          vectors("reaction_moment", result.reaction, 3),
+          fixed,
+          loads("applied_force", boundary, 0),
+          loads("applied_moment", boundary, 3)};
+}
+
+std::vector<Column> line_data(const Model& model, const State& result, int threads) {
+  std::vector<Column> columns = bond_columns(model, result);
+  columns.emplace_back("radius", bond_radii(model, threads));
+  return columns;
 }
 
 }  // namespace bondstatic

@@ -15,7 +15,11 @@ std::vector<Column> particle_columns(const Model& model, const State& result);
 std::vector<Column> bond_ends(const Model& model);
 std::vector<Column> bond_columns(const Model& model, const State& result);
 
-/// id, radius; displacement, rotation, reaction_force, reaction_moment as vectors.
+/// id, radius; displacement, rotation, reaction_force, reaction_moment as vectors; of the state's load case,
+/// fixed (1 x, 2 y, 4 z, 8 rx, 16 ry, 32 rz, summed), and the sums of the loads, applied_force and
+/// applied_moment. Where the state names no load case of the model, what all of them share.
 std::vector<Column> point_data(const Model& model, const State& result);
+/// bond_columns(), and radius: of the bond's section, NaN where its law has none.
+std::vector<Column> line_data(const Model& model, const State& result, int threads);
 
 }  // namespace bondstatic

@@ -91,7 +91,8 @@ void write_grid(OutputFile& file, const Model& model, const State& state,
   Points points{Index(model.particles.size())};
   points.lines.reserve(2 * model.bonds.size());
   for (const Bond& bond : model.bonds) add_line(points, model, bond, [](Index p) { return p; });
-  std::vector<Column> of_points = point_data(model, state), of_lines = bond_columns(model, state);
+  std::vector<Column> of_points = point_data(model, state),
+                      of_lines = line_data(model, state, file.threads());
   of_points.insert(of_points.end(), more_of_particles.begin(), more_of_particles.end());
   of_lines.insert(of_lines.end(), more_of_bonds.begin(), more_of_bonds.end());
   if (points.shifted.empty()) {
@@ -116,7 +117,8 @@ void write_grid_piece(OutputFile& file, const Piece& piece, const State& state) 
       Index& point = number[std::size_t(p)];
       return point < 0 ? point = points.add(p) : point;
     });
-  const std::vector<Column> of_points = point_data(model, state), of_lines = bond_columns(model, state);
+  const std::vector<Column> of_points = point_data(model, state),
+                            of_lines = line_data(model, state, file.threads());
   std::vector<Column> data = chosen(of_points, points.particle);
   hide_reactions_of_copies(data, points.own);
   strain_images(data, points, state.strain);
@@ -127,7 +129,7 @@ void write_grid_piece(OutputFile& file, const Piece& piece, const State& state) 
 void write_grid_of_pieces(OutputFile& file, const std::vector<std::string>& pieces) {
   const Model none;
   const State nothing;
-  write_pvtu(file, point_data(none, nothing), bond_columns(none, nothing), pieces);
+  write_pvtu(file, point_data(none, nothing), line_data(none, nothing, 1), pieces);
 }
 
 }  // namespace bondstatic

@@ -69,7 +69,7 @@ double typical_table_bytes(Index particles, Index bonds) {
 }
 
 double typical_grid_bytes(Index particles, Index bonds) {
-  return 32 / 3.0 * (17 * double(particles) + 19 * double(bonds));
+  return 32 / 3.0 * (24 * double(particles) + 20 * double(bonds));
 }
 
 }  // namespace bondstatic

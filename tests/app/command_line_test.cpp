@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Misuse{"NoCommand",
                {},
-               "a command is missing: solve, sweep, relax, fracture, check, calibrate, import,"},
+               "a command is missing: solve, sweep, relax, fracture, check, calibrate, report, import,"},
         Misuse{"MisspeltCommand", {"slove", "case.toml"}, "did you mean \"solve\"?"},
         Misuse{"UnknownCommand", {"frobnicate"}, "unknown command \"frobnicate\""},
         Misuse{"EmptyCommand", {""}, "unknown command \"\""},

@@ -13,7 +13,7 @@ inline Model hand_made_model() {
   for (int i = 0; i < 4; ++i) model.particles.push_back({ids[i], Vector3(0, 0, 2.0 * i), 1.0});
   model.particles[1].radius = 1.5;
   model.particles[3].position.x() = 50;
-  model.blocks.push_back({"generic", {}, {}, {}});
+  model.blocks.push_back({"generic", {600, 600, 1, 1}, {}, {}});
   model.bonds.push_back({1, 0, 1, Vector3(0, 0, 2), 0, 0});
   model.bonds.push_back({2, 1, 2, Vector3(0, 0, 2), 0, 1});
   Support support;

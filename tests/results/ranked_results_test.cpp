@@ -190,7 +190,7 @@ TEST_P(RankedGrid, PiecesHaveTheArraysThatAreDeclared) {
     return found;
   };
   const auto declared = arrays(read_text(scratch / "out/pull/model.pvtu"));
-  EXPECT_EQ(declared.size(), 6u + 1 + 16 + 1);  // of points, ghosts, of bonds, positions
+  EXPECT_EQ(declared.size(), 9u + 1 + 17 + 1);  // of points, ghosts, of bonds, positions
   for (int rank = 0; rank < count; ++rank) {
     auto there = arrays(read_text(scratch / ("out/pull/model_" + std::to_string(rank) + ".vtu")));
     EXPECT_THAT(there.back(), HasSubstr("types"));

@@ -147,9 +147,26 @@ TEST(Results, VtuNamesAllColumns) {
   const ScratchFolder scratch;
   Written({""}).write(scratch / "out");
   const std::string vtu = read_text(scratch / "out/model.vtu");
-  for (const char* name :
-       {"id", "radius", "displacement", "rotation", "reaction_force", "reaction_moment", "a", "b", "fx", "mz",
-        "normal_force", "shear_force", "twisting_moment", "bending_moment", "sigma", "tau", "energy"})
+  for (const char* name : {"id",
+                           "radius",
+                           "displacement",
+                           "rotation",
+                           "reaction_force",
+                           "reaction_moment",
+                           "fixed",
+                           "applied_force",
+                           "applied_moment",
+                           "a",
+                           "b",
+                           "fx",
+                           "mz",
+                           "normal_force",
+                           "shear_force",
+                           "twisting_moment",
+                           "bending_moment",
+                           "sigma",
+                           "tau",
+                           "energy"})
     EXPECT_THAT(vtu, HasSubstr("Name=\"" + std::string(name) + "\""));
 }
 

@@ -19,6 +19,7 @@ MAY_USE["petsc"] = {"io", "model", "bond", "system", "solver"}
 for room in ["dynamics", "system", "mechanism", "multigrid", "solver", "statics", "modes", "relax", "check"]:
     MAY_USE[room].discard("formats")
 MAY_USE["case"] = {"io", "model", "bond", "formats"}
+MAY_USE["report"] = {"io", "model", "results"}
 MAY_USE["app"] = set(MAY_USE) - {"petsc"}
 MAY_USE["python"] = set(MAY_USE) - {"petsc", "app"}
 
@@ -33,7 +34,7 @@ ROOM_OF_HEADER = {
     "mechanism": "mechanism", "statics": "statics", "effective_stiffness": "statics", "sensitivity": "statics",
     "modes": "modes", "dynamics": "dynamics", "relaxation": "relax", "check": "check", "compare": "compare", "fracture": "fracture",
     "output": "results", "results": "results", "resolution": "results", "calibration": "calibration",
-    "case_file": "case",
+    "case_file": "case", "report": "report",
 }
 # A case says what is asked of the solve: it may fill these structs, and ask which solvers there are.
 ALSO_ALLOWED = {"case": {"bondstatic/statics.hpp", "bondstatic/output.hpp", "bondstatic/linear_solver.hpp",
@@ -47,6 +48,7 @@ ONLY_IN = {
     r"pybind11/": r"python/",
     r"CLI/": r"app/",
     r"petsc.*\.h$|mpi\.h": r"petsc/",
+    r"pugixml|zlib\.h": r"report/",
     r"cholmod\.h|SuiteSparse_config\.h|suitesparse/": r"solver/cholmod",
 }
 

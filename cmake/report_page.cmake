@@ -1,0 +1,58 @@
+# The page of reports (src/report/page): npm brings what it is made of, at the versions of the lockfile, into the build
+# folder; esbuild bundles it into a C++ file. Without npm, or where its registry is out of reach, the library is built
+# without the page, and reports say so.
+set(page_source ${PROJECT_SOURCE_DIR}/src/report/page)
+set(page_build ${PROJECT_BINARY_DIR}/page)
+set(page_bundle ${page_build}/page_bundle.cpp)
+
+set(BONDSTATIC_WITH_REPORT OFF)
+set(without_page "Building without the page of reports")
+find_program(NPM_PROGRAM npm)
+find_program(NODE_PROGRAM NAMES node nodejs)
+mark_as_advanced(NPM_PROGRAM NODE_PROGRAM)
+if(BONDSTATIC_REPORT AND NPM_PROGRAM AND NODE_PROGRAM)
+  # Tests need a browser's driver and the types, too.
+  set(npm_install ${NPM_PROGRAM} ci --ignore-scripts --no-audit --no-fund)
+  if(NOT BONDSTATIC_TESTS)
+    list(APPEND npm_install --omit=dev)
+  endif()
+  file(SHA256 ${page_source}/package-lock.json wanted)
+  set(wanted "${wanted} ${npm_install}")
+  set(installed "")
+  if(EXISTS ${page_build}/installed)
+    file(READ ${page_build}/installed installed)
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page_source}/package-lock.json)
+  set(failed 0)
+  if(NOT installed STREQUAL wanted)
+    file(COPY ${page_source}/package.json ${page_source}/package-lock.json DESTINATION ${page_build})
+    execute_process(COMMAND ${npm_install} WORKING_DIRECTORY ${page_build} RESULT_VARIABLE failed
+                    OUTPUT_VARIABLE npm_output ERROR_VARIABLE npm_output)
+    if(failed EQUAL 0)
+      file(WRITE ${page_build}/installed "${wanted}")
+    else()
+      message(STATUS "${without_page}: npm ci failed\n${npm_output}")
+    endif()
+  endif()
+  if(failed EQUAL 0)
+    set(BONDSTATIC_WITH_REPORT ON)
+  endif()
+elseif(BONDSTATIC_REPORT)
+  message(STATUS "${without_page}: npm is not there (on Debian: apt install npm)")
+endif()
+if(BONDSTATIC_REPORT AND NOT BONDSTATIC_REPORT STREQUAL "AUTO" AND NOT BONDSTATIC_WITH_REPORT)
+  message(FATAL_ERROR "BONDSTATIC_REPORT is ON, and the page cannot be built")
+endif()
+
+if(BONDSTATIC_WITH_REPORT)
+  file(GLOB_RECURSE page_files CONFIGURE_DEPENDS ${page_source}/*.ts ${page_source}/*.css ${page_source}/*.mjs)
+  list(FILTER page_files EXCLUDE REGEX "/node_modules/")
+  add_custom_command(OUTPUT ${page_bundle}
+                     COMMAND ${NODE_PROGRAM} ${page_source}/bundle.mjs ${page_build}/node_modules ${page_bundle}
+                     DEPENDS ${page_files} ${page_build}/installed
+                     COMMENT "Bundling the page of reports" VERBATIM)
+  target_sources(bondstatic PRIVATE ${page_bundle})
+  set_source_files_properties(${page_bundle} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+else()
+  target_sources(bondstatic PRIVATE ${PROJECT_SOURCE_DIR}/src/report/page_bundle_missing.cpp)
+endif()
