@@ -44,8 +44,12 @@ Matrix6 inverse_block(const Matrix6& block, std::uint8_t free) {
   if (scale.minCoeff() > 0) {
     constexpr double well_conditioned = 1e-4;
     const Eigen::LLT<Matrix6> factor(unit);
-    if (factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > well_conditioned)
-      return scale.asDiagonal() * factor.solve(Matrix6::Identity()) * scale.asDiagonal();
+    if (factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > well_conditioned) {
+      Matrix6 half;  // L^-1, column by column: Eigen unrolls that
+      for (int i = 0; i < 6; ++i) half.col(i) = factor.matrixL().solve(Vector6::Unit(i));
+      half *= scale.asDiagonal();
+      return half.transpose().lazyProduct(half);
+    }
   }
   constexpr double rounding = 1e-13;
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(unit);

@@ -1,6 +1,9 @@
 #include "multigrid/clumps.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "multigrid/strength.hpp"
@@ -12,59 +15,74 @@ namespace {
 // A link is strong if it has this much of the strongest link at one of its two ends.
 constexpr float strong_share = 0.25f;
 
-// The links of a packing as clumps see them.
-template <class LinkType>
+// What a body is tied to, as clumps see it.
+struct Tie {
+  std::uint32_t other;  // own body that can move, or nobody
+  float weight;
+  bool strong;
+};
+constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+
+// Ties body by body, one after another in memory: they are walked many times, in the order of the bodies.
 class Ties {
  public:
+  template <class LinkType>
   Ties(const Packing<LinkType>& packing, int threads)
-      : packing_(packing), weight_(packing.links.size()), strongest_(std::size_t(packing.own), 0) {
+      : first_(packing.incidence->offset),
+        ties_(packing.incidence->link.size()),
+        strongest_(std::size_t(packing.own), 0) {
     const Index links = Index(packing.links.size());
+    std::vector<float> weight(packing.links.size());
 #pragma omp parallel for num_threads(threads) schedule(static)
-    for (Index k = 0; k < links; ++k) weight_[std::size_t(k)] = float(strength(packing.link(k)));
+    for (Index k = 0; k < links; ++k) weight[std::size_t(k)] = float(strength(packing.link(k)));
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (Index p = 0; p < packing.own; ++p) {
+      std::size_t at = std::size_t(first_[std::size_t(p)]);
+      for (const Index k : packing.incidence->of(p)) {
+        const Index other = packing.other_end(k, p);
+        const bool moves = !packing.is_held(p) && !packing.is_held(other);
+        ties_[at++] = {moves && other < packing.own ? std::uint32_t(other) : nobody, weight[std::size_t(k)],
+                       false};
+        if (moves) strongest_[std::size_t(p)] = std::max(strongest_[std::size_t(p)], weight[std::size_t(k)]);
+      }
+    }
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (Index p = 0; p < packing.own; ++p)
-      for_each_moving(p, [&](Index k, Index) {
-        strongest_[std::size_t(p)] = std::max(strongest_[std::size_t(p)], weight_[std::size_t(k)]);
-      });
+      for (Tie& tie : of(p))
+        if (tie.other != nobody)
+          tie.strong =
+              tie.weight >= strong_share * std::min(strongest_[std::size_t(p)], strongest_[tie.other]);
   }
 
-  /// Calls visit(link, other body) for links to own bodies that can move.
   template <class Visit>
   void for_each(Index body, Visit visit) const {
-    for_each_moving(body, [&](Index k, Index other) {
-      if (other < packing_.own) visit(k, other);
-    });
+    for (const Tie& tie : of(body))
+      if (tie.other != nobody) visit(tie);
   }
   template <class Visit>
   void for_each_strong(Index body, Visit visit) const {
-    for_each(body, [&](Index k, Index other) {
-      const float enough =
-          strong_share * std::min(strongest_[std::size_t(body)], strongest_[std::size_t(other)]);
-      if (weight_[std::size_t(k)] >= enough) visit(k, other);
-    });
-  }
-  float weight(Index link) const {
-    return weight_[std::size_t(link)];
+    for (const Tie& tie : of(body))
+      if (tie.strong) visit(tie);
   }
   bool tied(Index body) const {
     return strongest_[std::size_t(body)] > 0;
   }
 
  private:
-  template <class Visit>
-  void for_each_moving(Index body, Visit visit) const {
-    if (packing_.is_held(body)) return;
-    for (const Index k : packing_.incidence->of(body))
-      if (const Index other = packing_.other_end(k, body); !packing_.is_held(other)) visit(k, other);
+  std::span<Tie> of(Index body) {
+    return {ties_.data() + first_[std::size_t(body)], ties_.data() + first_[std::size_t(body) + 1]};
+  }
+  std::span<const Tie> of(Index body) const {
+    return {ties_.data() + first_[std::size_t(body)], ties_.data() + first_[std::size_t(body) + 1]};
   }
 
-  const Packing<LinkType>& packing_;
-  std::vector<float> weight_, strongest_;
+  const std::vector<Index>& first_;
+  std::vector<Tie> ties_;
+  std::vector<float> strongest_;
 };
 
 // Tied bodies, each beside the ones before it.
-template <class LinkType>
-std::vector<Index> breadth_first(const Ties<LinkType>& ties, Index bodies) {
+std::vector<Index> breadth_first(const Ties& ties, Index bodies) {
   std::vector<Index> order;
   order.reserve(std::size_t(bodies));
   std::vector<bool> seen(static_cast<std::size_t>(bodies), false);
@@ -77,7 +95,7 @@ std::vector<Index> breadth_first(const Ties<LinkType>& ties, Index bodies) {
     if (!ties.tied(start)) continue;
     std::size_t next = order.size();
     for (see(start); next < order.size(); ++next)
-      ties.for_each(order[next], [&](Index, Index other) { see(other); });
+      ties.for_each(order[next], [&](const Tie& tie) { see(tie.other); });
   }
   return order;
 }
@@ -113,17 +131,18 @@ void number_copies(const Halo& halo, Clumps& clumps) {
 
 template <class LinkType>
 Clumps form_clumps(const Packing<LinkType>& packing, int threads) {
-  const Ties<LinkType> ties(packing, threads);
+  const Ties ties(packing, threads);
   const std::vector<Index> order = breadth_first(ties, packing.own);
   Clumps clumps{0, std::vector<Index>(std::size_t(packing.bodies), no_clump), 0, {}};
   const auto clump_of = [&](Index p) -> Index& { return clumps.of[std::size_t(p)]; };
 
   for (const Index p : order) {
     bool alone = clump_of(p) == no_clump;
-    if (alone) ties.for_each_strong(p, [&](Index, Index q) { alone = alone && clump_of(q) == no_clump; });
+    if (alone)
+      ties.for_each_strong(p, [&](const Tie& tie) { alone = alone && clump_of(tie.other) == no_clump; });
     if (!alone) continue;
     clump_of(p) = clumps.count;
-    ties.for_each_strong(p, [&](Index, Index q) { clump_of(q) = clumps.count; });
+    ties.for_each_strong(p, [&](const Tie& tie) { clump_of(tie.other) = clumps.count; });
     ++clumps.count;
   }
 
@@ -133,13 +152,13 @@ Clumps form_clumps(const Packing<LinkType>& packing, int threads) {
   for (const Index p : order) {
     if (clump_of(p) != no_clump) continue;
     pulls.clear();
-    ties.for_each_strong(p, [&](Index k, Index q) {
-      const Index clump = clump_of(q);
+    ties.for_each_strong(p, [&](const Tie& tie) {
+      const Index clump = clump_of(tie.other);
       if (clump == no_clump) return;
       auto pull =
           std::find_if(pulls.begin(), pulls.end(), [clump](const auto& of) { return of.first == clump; });
       if (pull == pulls.end()) pull = pulls.insert(pulls.end(), {clump, 0.0f});
-      pull->second += ties.weight(k);
+      pull->second += tie.weight;
     });
     const auto most = std::max_element(pulls.begin(), pulls.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -69,12 +69,12 @@ struct Packing {
 /// The sum of what a body's links do against its own motion, springs left out: sum of G^T C G.
 template <class LinkType>
 Matrix6 links_felt_at(const Packing<LinkType>& packing, Index body) {
-  Matrix6 sum = Matrix6::Zero();
+  Felt<LinkType> felt;
   for (const Index k : packing.incidence->of(body)) {
     const auto& link = packing.link(k);
-    sum += seen_from_centre(stiffness_of(link), link.a == body ? arm_a(link) : arm_b(link));
+    felt.add(link, link.a == body);
   }
-  return sum;
+  return felt.sum();
 }
 
 /// The network's own packing: bodies without unknowns are ground. `springs` gets one for each particle that

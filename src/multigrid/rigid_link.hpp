@@ -70,4 +70,45 @@ inline Matrix6 seen_from_centre(const Matrix6& c, const Vector3& arm) {
   return result;
 }
 
+/// Sums up what links do, felt at the centre of their first or their second body.
+template <class LinkType>
+class Felt {
+ public:
+  void add(const LinkType& link, bool first) {
+    sum_ += seen_from_centre(stiffness_of(link), first ? arm_a(link) : arm_b(link));
+  }
+  const Matrix6& sum() const { return sum_; }
+
+ private:
+  Matrix6 sum_ = Matrix6::Zero();
+};
+
+/// The arms of a bond lie on its axis e, and with arm = t e
+///
+///     G^T C G has  kb + 2 t c + t^2 ks  for kb  and  c + t ks  for the coupling c:
+///
+/// a round section again, which couples by a cross product.
+template <>
+class Felt<Link> {
+ public:
+  void add(const Link& link, bool first) {
+    const SectionStiffness& c = link.stiffness;
+    const double length = link.branch.norm(), t = (first ? link.fraction : link.fraction - 1) * length;
+    const Vector3 e = link.branch / length;
+    const Matrix3 along = e * e.transpose(), across = Matrix3::Identity() - along;
+    forces_ += c.kn * along + c.ks * across;
+    moments_ += c.kt * along + (c.kb + t * (2 * c.coupling + t * c.ks)) * across;
+    turn_ += (c.coupling + t * c.ks) * e;
+  }
+  Matrix6 sum() const {
+    Matrix6 sum;
+    sum << forces_, -cross_matrix(turn_), cross_matrix(turn_), moments_;
+    return sum;
+  }
+
+ private:
+  Matrix3 forces_ = Matrix3::Zero(), moments_ = Matrix3::Zero();
+  Vector3 turn_ = Vector3::Zero();
+};
+
 }  // namespace bondstatic::multigrid

@@ -26,6 +26,22 @@ TEST(RigidLink, StiffnessAtAPointIsFeltAtTheCentreByItsCongruence) {
   EXPECT_LT((seen_from_centre(c, Vector3(0.3, -0.7, 1.1)) - g.transpose() * c * g).norm(), 1e-14 * c.norm());
 }
 
+TEST(RigidLink, BondsFeltAtACentreAddUpToTheirCongruences) {
+  Link one, other;
+  one.branch = Vector3(1, -2, 0.5);
+  one.fraction = 0.3;
+  one.stiffness = {100, 40, 7, 11, 13};
+  other.branch = Vector3(-0.2, 0.7, 0.9);
+  other.fraction = 0.6;
+  other.stiffness = {5, 3, 2, 1, -0.5};
+  const Matrix6 ga = motion_at(arm_a(one)), gb = motion_at(arm_b(other));
+  const Matrix6 sum = ga.transpose() * stiffness_of(one) * ga + gb.transpose() * stiffness_of(other) * gb;
+  Felt<Link> felt;
+  felt.add(one, true);
+  felt.add(other, false);
+  EXPECT_LT((felt.sum() - sum).norm(), 1e-15 * sum.norm());
+}
+
 TEST(LinkStrength, IsThatOfTheWeakestResistance) {
   Link link;
   link.branch = Vector3(0, 0, 2);
