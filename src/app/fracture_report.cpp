@@ -81,16 +81,6 @@ void add_accuracy(const Fracture& fracture, TextTable& table) {
                    seconds_text(report.seconds), each, counted(report.factorisations, "factorisation"))});
 }
 
-std::string written_text(const std::string& folder, const std::vector<std::string>& files) {
-  std::string names;
-  Index states = 0;
-  for (const std::string& name : files) {
-    states += is_fracture_state(name);
-    if (!is_fracture_state(name)) names += (names.empty() ? "" : ", ") + name;
-  }
-  return fmt::format("{}: {}; {} shown", folder, names, counted(states, "state"));
-}
-
 }  // namespace
 
 std::string progress_text(const FractureProgress& progress) {
@@ -116,7 +106,8 @@ std::string fracture_report(const Case& given, const Fracture& fracture,
   add_accuracy(fracture, table);
   const auto& dropped = fracture.report.first.dropped;
   if (!dropped.empty()) table.rows.push_back({"left out", dropped_text(dropped)});
-  if (!files.empty()) table.rows.push_back({"written", wrapped(written_text(folder, files), 15)});
+  if (!files.empty())
+    table.rows.push_back({"written", wrapped(written_text(folder, files, fracture_kind), 15)});
   text += to_text(table, 2) + warnings_text(given.warnings) + warnings_text(fracture.report.first.warnings);
   return text + warnings_text(fracture.warnings);
 }

@@ -9,6 +9,7 @@
 
 #include "app/resolution_report.hpp"
 #include "app/terminal.hpp"
+#include "results/state_series.hpp"
 
 namespace bondstatic {
 
@@ -33,6 +34,18 @@ std::string counted(Index count, const std::string& what) {
   if (count == 1) return fmt::format("{} {}", count, what);
   if (what.ends_with('y')) return fmt::format("{} {}ies", count, what.substr(0, what.size() - 1));
   return fmt::format("{} {}s", count, what);
+}
+
+std::string written_text(const std::string& folder, const std::vector<std::string>& files,
+                         const std::string& kind) {
+  std::string names;
+  Index states = 0;
+  for (const std::string& name : files) {
+    const bool state = is_state_file(kind, name);
+    states += state;
+    if (!state) names += (names.empty() ? "" : ", ") + name;
+  }
+  return folder + ": " + names + (states > 0 ? "; " + counted(states, "state") + " shown" : "");
 }
 
 std::string outputs_table(const std::vector<OutputValue>& outputs, bool judged) {

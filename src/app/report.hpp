@@ -17,6 +17,10 @@ std::string displacement_table(const std::vector<const State*>& states,
 std::string warnings_text(const std::vector<std::string>& warnings);
 std::string dropped_text(const std::vector<std::vector<Index>>& dropped);
 std::string counted(Index count, const std::string& what);
+/// "DIR: particles.csv, ..": what a run wrote. States of its series (results/state_series.hpp) are only
+/// counted.
+std::string written_text(const std::string& folder, const std::vector<std::string>& files,
+                         const std::string& kind);
 
 /// Asks nothing of given.model, which may be gone. `files` are the results that went to `folder`; none if
 /// they went nowhere.

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <pugixml.hpp>
 
 #include "bondstatic/error.hpp"
 #include "io/text_file.hpp"
-#include "results/fracture_series.hpp"
 #include "results/result_set.hpp"
+#include "results/state_series.hpp"
 
 namespace bondstatic {
 
@@ -119,8 +120,8 @@ std::vector<SceneState> load_case_states(const std::string& folder, const JsonVa
   return states;
 }
 
-std::vector<ShownState> shown_states(const std::string& folder, PageRun& run) {
-  const fs::path series = fs::path(folder) / series_file;
+std::vector<ShownState> shown_states(const std::string& folder, const std::string& kind, PageRun& run) {
+  const fs::path series = fs::path(folder) / series_file(kind);
   std::error_code ignored;
   if (!fs::is_regular_file(series, ignored)) {
     run.notes.push_back(series.string() + " is not there: only the last state is shown.");
@@ -130,18 +131,19 @@ std::vector<ShownState> shown_states(const std::string& folder, PageRun& run) {
   const Listing listing(series);
   for (const pugi::xml_node& state : listing.elements("Collection", "DataSet")) {
     const std::string step = listing.attribute(state, "timestep"), name = listing.attribute(state, "file");
-    double events = 0;
-    const auto read = std::from_chars(step.data(), step.data() + step.size(), events);
-    if (read.ec != std::errc() || read.ptr != step.data() + step.size() || !(events >= 0) || events > 9e15)
-      listing.refuse(state.offset_debug(), fmt::format("timestep = \"{}\" must be a number of events", step));
+    double time = 0;
+    const auto read = std::from_chars(step.data(), step.data() + step.size(), time);
+    if (read.ec != std::errc() || read.ptr != step.data() + step.size() || !(time >= 0) || std::isinf(time))
+      listing.refuse(state.offset_debug(),
+                     fmt::format("timestep = \"{}\" must be a number of at least 0", step));
     if (const auto file = listing.neighbour(state, name))
-      states.push_back({*file, events});
+      states.push_back({*file, time});
     else
-      run.notes.push_back(
-          fmt::format("{} is not there, and {} names it.", (fs::path(folder) / name).string(), series_file));
+      run.notes.push_back(fmt::format("{} is not there, and {} names it.", (fs::path(folder) / name).string(),
+                                      series_file(kind)));
   }
   std::sort(states.begin(), states.end(),
-            [](const ShownState& a, const ShownState& b) { return a.events < b.events; });
+            [](const ShownState& a, const ShownState& b) { return a.time < b.time; });
   return states;
 }
 

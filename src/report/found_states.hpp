@@ -20,11 +20,12 @@ std::vector<std::string> grid_files(const std::string& folder, PageRun& run);
 std::vector<SceneState> load_case_states(const std::string& folder, const JsonValue& summary, PageRun& run,
                                          const std::string& label);
 
-/// What fracture.pvd lists: files and numbers of events, ascending. None, and a note, where it is not there.
+/// What the series of a kind of run lists (results/state_series.hpp), "relax" or "fracture": files and times,
+/// ascending. None, and a note, where it is not there.
 struct ShownState {
   std::string file;
-  double events = 0;
+  double time = 0;  ///< of a run of fracture: how many events had happened
 };
-std::vector<ShownState> shown_states(const std::string& folder, PageRun& run);
+std::vector<ShownState> shown_states(const std::string& folder, const std::string& kind, PageRun& run);
 
 }  // namespace bondstatic

@@ -10,6 +10,7 @@
 #include "report/output_plots.hpp"
 #include "report/page_parts.hpp"
 #include "report/pages.hpp"
+#include "results/fracture_series.hpp"
 
 namespace bondstatic {
 
@@ -128,10 +129,10 @@ std::vector<SceneState> states_of(PageRun& run, const std::string& folder, const
                                   const FractureHistory& history, const CurveWords& words,
                                   const PageUnits& units) {
   const std::string load_case = summary["pattern"].text_or();
-  std::vector<SceneState> states;
-  for (const ShownState& shown : shown_states(folder, run))
-    states.push_back({{shown.file}, load_case, label_of(shown.events, history, words, units), shown.events});
   const double events = summary["events"].number().value_or(0);
+  std::vector<SceneState> states;
+  for (const ShownState& shown : shown_states(folder, fracture_kind, run))
+    states.push_back({{shown.file}, load_case, label_of(shown.time, history, words, units), shown.time});
   if (!states.empty() && *states.back().step >= events) return states;
   std::vector<std::string> files = grid_files(folder, run);
   if (!files.empty())

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 
 #include "bondstatic/results.hpp"
 #include "io/csv_writer.hpp"
@@ -14,8 +13,6 @@
 namespace bondstatic {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* history_table = "fracture.csv";
 constexpr const char* curve_file = "fracture.svg";
@@ -63,21 +60,20 @@ void write_history(OutputFile& file, const Model& model, const Fracture& fractur
 
 std::vector<std::string> fracture_files(const FractureRecord& record) {
   std::vector<std::string> names{particle_table, bond_table, grid_file, history_table, curve_file};
-  for (const Index events : record.states) names.push_back(fracture_state_file(events));
-  names.insert(names.end(), {series_file, "case.resolved.toml", "summary.json"});
+  for (const std::string& name : series_files(fracture_series(record, ""))) names.push_back(name);
+  names.insert(names.end(), {"case.resolved.toml", "summary.json"});
   return names;
 }
 
 void check_fracture_folder(const std::string& folder, const FractureRecord& record) {
   sweep_stale_staging(folder);
+  const StateSeries series = fracture_series(record, folder);
   std::vector<std::string> names = fracture_files(record);
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (const std::string name = entry.path().filename().string(); is_fracture_state(name))
-      names.push_back(name);
+  names.push_back(series_file(fracture_kind));
+  for (const std::string& name : states_in(folder, series)) names.push_back(name);
   check_writable(folder, names, superseded_by_fracture(folder));
-  check_states(record.states, folder);
-  remove_states(folder, record.states);
+  check_states(series, fracture_checkpoint_file);
+  remove_other_states(series);
 }
 
 void write_fracture(const Model& model, const RunInfo& run, const FractureOptions& asked,
@@ -95,13 +91,12 @@ void write_fracture(const Model& model, const RunInfo& run, const FractureOption
   write_grid(files.create(grid_file), model, fracture.last, {}, more);
   write_history(files.create(history_table), model, fracture, record);
   files.create(curve_file).append(plot_svg(fracture_plot(model, run, asked, fracture)));
-  adopt_states(files, record.states, folder);
-  files.create(series_file).append(series_text(record.states));
+  adopt_states(files, fracture_series(record, folder));
   files.create("case.resolved.toml").append(run.resolved);
   files.create("summary.json")
       .append(fracture_json(model, run, asked, fracture, outputs, fracture_files(record)));
   files.commit();
-  if (!goes_on) remove_states(folder);
+  if (!goes_on) remove_other_states(fracture_series({}, folder));
 }
 
 }  // namespace bondstatic
