@@ -26,6 +26,7 @@ struct RelaxOptions {
   double hold_time = not_given;  ///< both limits hold for so long; NaN: one period of the lowest frequency
   Index max_steps = 1'000'000'000;
   double record_interval = not_given;  ///< between rows of the history; NaN: a sixteenth of the hold time
+  double save_interval = not_given;    ///< between states kept on the way (RelaxHooks::show); NaN: none
   double load_factor = 1;              ///< times all loads and prescribed motions
   double check_tolerance = 1e-6;       ///< on the differences that the certificate compares
 };
@@ -53,6 +54,17 @@ struct HistoryColumn {
   std::vector<double> values;
 };
 
+/// A state that was kept on the way, by its place in time.
+struct SavedState {
+  Index step = 0;
+  double time = 0;  ///< of the model
+};
+
+/// More are never kept of a load case, the last state apart: where a run is so long, every second one is
+/// dropped and the interval doubles, again and again. So a run of any length writes 512 states, and 256 more
+/// each time that it has become twice as long.
+inline constexpr std::size_t most_saved_states = 512;
+
 struct RelaxedCase {
   State state;
   DynamicPlan plan;
@@ -66,6 +78,9 @@ struct RelaxedCase {
   /// step, time, load_factor, kinetic, strain, work, dissipated, balance, fastest, unbalanced, probes. At
   /// most some thousand rows: of longer runs, every second row is dropped again and again.
   std::vector<HistoryColumn> history;
+
+  /// What RelaxHooks::show has heard of, ascending, without what was dropped again.
+  std::vector<SavedState> saved;
 };
 
 struct Relaxation {
@@ -95,6 +110,17 @@ struct RelaxHooks {
   std::function<Probes(const State&)> probe;
   /// Tells probes apart: a checkpoint made with another is refused.
   std::uint64_t probe_fingerprint = 0;
+  /// Takes the states that save_interval asks for. They stand at looks: the first one at or after each
+  /// multiple of the interval, beginning with step 0, and where the run ends. A look is no nearer to the next
+  /// than rows of the history are (record_interval); none is added, so that the answer does not depend on
+  /// what is kept. `velocity` of each particle, NaN where it was left out; `saved`: all states of the load
+  /// case that stand from now on, this one the last of them. After a resumption states may come again, with
+  /// the same bits.
+  std::function<void(const State&, const std::vector<Vector6>& velocity,
+                     const std::vector<SavedState>& saved)>
+      show;
+  /// Hears of the states that the run to go on with has shown, for each load case that it had begun.
+  std::function<void(const std::vector<std::vector<SavedState>>&)> resumed;
   /// Called before a load case is planned, which may take a while and hears of nothing, and before it runs.
   std::function<void(bool planning)> phase;
   /// Called at every look, often or not; false stops the run.

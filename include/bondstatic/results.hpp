@@ -94,12 +94,33 @@ void write_results(const Model& model, const RunInfo& run, const StaticSolution&
                    const std::function<void()>& checkpoint = {},
                    const std::function<void(double)>& progress = {});
 
-/// The same for a run to rest, with history.csv beside the tables of each load case. Where it is at rest a
-/// checkpoint that lies in the folder has served and goes.
-std::vector<std::string> relaxation_files(const Model& model);
+// A run to rest has history.csv beside the tables of each load case (RelaxedCase::history), and where it kept
+// states on its way
+//
+// relax.pvd      the states in time, relax_NNNN.vtu; NNNN is the step. The last one is that of model.vtu
+//
+// In these grids particles have velocity, too; loads are those of the case, not times the ramp's factor. As
+// long as such a run is under way, they lie in relax.unfinished, a folder a load case as the results, with a
+// relax.pvd that ParaView can follow. They stay there where a run blows up.
+
+/// Adds the state of a load case to those that lie there, whole or not at all; arguments as RelaxHooks::show
+/// has them. Throws Error that names the path.
+void show_relaxation(const Model& model, const State& state, const std::vector<Vector6>& velocity,
+                     const std::vector<SavedState>& saved, const std::string& folder);
+/// Throws Error (invalid_input) where one of the states is not there, which are given for each load case, or
+/// for the first few of them.
+void check_shown_relaxation(const Model& model, const std::vector<std::vector<SavedState>>& saved,
+                            const std::string& folder);
+/// Removes all states but these. Those that are dropped may only go once no checkpoint speaks of them.
+void keep_shown_relaxation(const Model& model, const std::vector<std::vector<SavedState>>& saved,
+                           const std::string& folder);
+
+/// As result_files() and the following. Where the run is at rest, a checkpoint that lies in the folder has
+/// served and goes. RelaxedCase::saved must have been shown to the same folder.
+std::vector<std::string> relaxation_files(const Model& model, const Relaxation& relaxation = {});
 std::string relaxation_json(const Model& model, const RunInfo& run, const Relaxation& relaxation,
                             const std::vector<OutputValue>& outputs, const std::vector<std::string>& files);
-void check_relaxation_folder(const Model& model, const std::string& folder);
+void check_relaxation_folder(const Model& model, const RelaxOptions& asked, const std::string& folder);
 void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& relaxation,
                       const std::vector<OutputValue>& outputs, const std::string& folder,
                       const std::function<void()>& checkpoint = {});

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -7,11 +8,13 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/relax_report.hpp"
+#include "app/report.hpp"
 #include "app/run_case.hpp"
 #include "app/status_line.hpp"
 #include "app/terminal.hpp"
 #include "io/replace_file.hpp"
 #include "results/output_fingerprint.hpp"
+#include "results/relaxation_series.hpp"
 
 namespace bondstatic {
 
@@ -27,13 +30,18 @@ Probes outputs_as_probes(const Case& given, const State& state) {
   return probes;
 }
 
+std::size_t load_case_of(const Model& model, const State& state) {
+  const auto& names = model.load_cases;
+  return std::size_t(std::find(names.begin(), names.end(), state.name) - names.begin());
+}
+
 }  // namespace
 
 ExitCode relax(const LongRunArguments& arguments) {
   const SolveArguments& options = arguments.solve;
   const Case given = read_case(options, options.overrides, Purpose::dynamics);
   const fs::path file = fs::path(options.folder) / checkpoint_file;
-  if (!options.folder.empty()) check_relaxation_folder(given.model, options.folder);
+  if (!options.folder.empty()) check_relaxation_folder(given.model, given.relax, options.folder);
 
   StatusLine status;
   Throttle throttle;
@@ -44,11 +52,26 @@ ExitCode relax(const LongRunArguments& arguments) {
   hooks.probe_fingerprint = fingerprint_of(given.outputs);
   if (!given.outputs.empty())
     hooks.probe = [&](const State& state) { return outputs_as_probes(given, state); };
-  if (!options.folder.empty())
+  std::vector<std::vector<SavedState>> shown;
+  if (!options.folder.empty()) {
+    if (hooks.resume.empty()) keep_shown_relaxation(given.model, shown, options.folder);
+    hooks.resumed = [&](const std::vector<std::vector<SavedState>>& saved) {
+      check_shown_relaxation(given.model, saved, options.folder);
+      keep_shown_relaxation(given.model, saved, options.folder);
+      shown = saved;
+    };
+    hooks.show = [&](const State& state, const std::vector<Vector6>& velocity,
+                     const std::vector<SavedState>& saved) {
+      show_relaxation(given.model, state, velocity, saved, options.folder);
+      shown.resize(given.model.load_cases.size());
+      shown[load_case_of(given.model, state)] = saved;
+    };
     hooks.keep = [&](const std::string& content) {
       fs::create_directories(options.folder);
       replace_file(file, content);
+      keep_shown_relaxation(given.model, shown, options.folder);
     };
+  }
   // While bodies move a signal waits for the next look, so that the run can be kept; a plan is soon made
   // again.
   std::unique_ptr<DeferredInterrupts> guard;
@@ -73,9 +96,8 @@ ExitCode relax(const LongRunArguments& arguments) {
   if (!options.folder.empty()) {
     // A signal now waits until all is written: what took hours to run takes seconds to keep.
     write_relaxation(given.model, run, relaxation, outputs, options.folder);
-    files = relaxation_files(given.model);
-    for (const std::string& name : files) written += (written.empty() ? "" : ", ") + name;
-    written = wrapped(options.folder + ": " + written, 12);
+    files = relaxation_files(given.model, relaxation);
+    written = wrapped(written_text(options.folder, files, relaxation_kind), 12);
   }
   guard.reset();
   fmt::print("{}", options.json ? relaxation_json(given.model, run, relaxation, outputs, files)

@@ -87,6 +87,8 @@ RelaxOptions read_dynamic_options(Reading& reading, Node& table) {
   options.max_steps = dynamics.whole_or("max_steps", options.max_steps, 1);
   options.record_interval =
       dynamics.number("record_interval", dimension::time, Allowed::positive).value_or(not_given);
+  options.save_interval =
+      dynamics.number("save_interval", dimension::time, Allowed::positive).value_or(not_given);
   dynamics.finish();
   return options;
 }

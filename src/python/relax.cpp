@@ -44,14 +44,30 @@ RelaxOptions relax_options(const RelaxOptions& base, const py::dict& given) {
   take("hold_time", &RelaxOptions::hold_time);
   take("max_steps", &RelaxOptions::max_steps);
   take("record_interval", &RelaxOptions::record_interval);
+  take("save_interval", &RelaxOptions::save_interval);
   return options;
 }
 
+/// A state on the way, while Python looks at it.
+struct OnTheWay {
+  std::shared_ptr<const Relaxed> of;
+  State state;
+  std::vector<Vector6> velocity;
+};
+
+void show(const Callback& on_state, double time, const std::shared_ptr<const OnTheWay>& shown) {
+  const double* const first = shown->velocity.empty() ? nullptr : shown->velocity.front().data();
+  on_state(time, PythonState{shown, &shown->state, nullptr},
+           view_of_items<double>(shown, shown->velocity, first, 3));
+}
+
 std::shared_ptr<Relaxed> run(const PythonModel& given, const RelaxOptions& options,
-                             const StaticOptions& solve, double load_factor, const py::object& progress) {
+                             const StaticOptions& solve, double load_factor, const py::object& progress,
+                             const py::object& on_state) {
   const auto relaxed = std::make_shared<Relaxed>();
   relaxed->model = given.edited.kept();
-  run_watched([relaxed, options, solve, load_factor, callback = Callback(progress)](Watch& watch) {
+  run_watched([relaxed, options, solve, load_factor, callback = Callback(progress),
+               shows = Callback(on_state)](Watch& watch) {
     RelaxOptions asked = options;
     asked.load_factor = load_factor;
     RelaxHooks hooks;
@@ -60,6 +76,12 @@ std::shared_ptr<Relaxed> run(const PythonModel& given, const RelaxOptions& optio
           [callback, now] { callback(now.load_case, now.step, now.unrest.unbalanced, now.unrest.fastest); });
       return true;
     };
+    if (shows)
+      hooks.show = [&](const State& state, const std::vector<Vector6>& velocity,
+                       const std::vector<SavedState>& saved) {
+        const auto shown = std::make_shared<const OnTheWay>(OnTheWay{relaxed, state, velocity});
+        watch.ask([shows, shown, time = saved.back().time] { show(shows, time, shown); });
+      };
     relaxed->relaxation = relax(*relaxed->model, asked, solve, hooks);
   });
   return relaxed;
@@ -113,7 +135,7 @@ void add_relax(py::module_& module) {
       .def("history", &history_of, py::arg("load_case"))
       .def("report", &report_of, py::arg("load_case"));
   module.def("relax", &run, py::arg("model"), py::arg("options"), py::arg("solve"), py::arg("load_factor"),
-             py::arg("progress"));
+             py::arg("progress"), py::arg("on_state"));
 }
 
 }  // namespace bondstatic

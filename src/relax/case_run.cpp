@@ -44,24 +44,25 @@ CaseRun::CaseRun(const Model& model, std::span<const BondProperties> properties,
       options_(options),
       run_(model, properties, load_case, left_out, dynamic_options(plan, options, threads)),
       stretch_(stretch_between_looks(plan, options)),
-      hold_steps_(steps_in(plan.hold_time, plan.time_step)) {}
+      hold_steps_(steps_in(plan.hold_time, plan.time_step)),
+      saved_(options.save_interval, double(stretch_) * plan.time_step) {}
 
-bool CaseRun::go_on(const std::function<Probes(const State&)>& probe) {
+bool CaseRun::go_on(const RelaxHooks& hooks) {
   if (ended_) return false;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  if (run_.step() == 0) look(probe);
+  if (run_.step() == 0) look(hooks);
   // Looks stand at whole stretches, whatever limit of steps has ended an earlier part.
   const Index steps = std::min(stretch_ - run_.step() % stretch_, options_.max_steps - run_.step());
   run_.advance(steps);
-  look(probe);
+  look(hooks);
   const double took = std::chrono::duration<double>(Clock::now() - begin).count();
   seconds_ += took;
   seconds_a_step_ = steps > 0 ? took / double(steps) : 0;
   return !ended_;
 }
 
-void CaseRun::look(const std::function<Probes(const State&)>& probe) {
+void CaseRun::look(const RelaxHooks& hooks) {
   const Energies energies = run_.energies();
   check_for_blow_up(energies);
   unrest_ = run_.unrest();
@@ -69,23 +70,39 @@ void CaseRun::look(const std::function<Probes(const State&)>& probe) {
   const bool calm = run_.time() >= plan_.ramp_time && unrest_.fastest < options_.velocity_limit &&
                     unrest_.unbalanced < options_.force_limit;
   // A look at the limit of steps leaves no trace for a run that goes on with a higher one.
-  const bool on_grid = run_.step() % stretch_ == 0;
-  if (!calm && on_grid) calm_since_ = -1;
-  if (calm && on_grid && calm_since_ < 0) calm_since_ = run_.step();
-  at_rest_ = calm && on_grid && run_.step() - calm_since_ >= hold_steps_;
+  if (!calm && on_grid()) calm_since_ = -1;
+  if (calm && on_grid() && calm_since_ < 0) calm_since_ = run_.step();
+  at_rest_ = calm && on_grid() && run_.step() - calm_since_ >= hold_steps_;
   ended_ = at_rest_ || run_.step() >= options_.max_steps;
+  record(hooks, energies);
+  save(hooks);
+}
 
-  const bool wanted = on_grid && history_.wants(run_.step() / stretch_);
+void CaseRun::record(const RelaxHooks& hooks, const Energies& energies) {
+  const bool wanted = on_grid() && history_.wants(run_.step() / stretch_);
   if (!ended_ && !wanted) return;
   Probes row{{"step", double(run_.step())},       {"time", run_.time()},
              {"load_factor", run_.load_factor()}, {"kinetic", energies.kinetic},
              {"strain", energies.strain},         {"work", energies.work},
              {"dissipated", energies.dissipated}, {"balance", energies.balance()},
              {"fastest", unrest_.fastest},        {"unbalanced", unrest_.unbalanced}};
-  if (probe)
-    for (auto& more : probe(run_.state())) row.push_back(std::move(more));
+  if (hooks.probe)
+    for (auto& more : hooks.probe(run_.state())) row.push_back(std::move(more));
   if (wanted) return history_.add(row);
   for (const auto& [name, value] : row) last_row_.push_back(value);
+}
+
+void CaseRun::save(const RelaxHooks& hooks) {
+  if (!hooks.show || !saved_.any_asked()) return;
+  const SavedState here{run_.step(), run_.time()};
+  const bool wanted = on_grid() && saved_.wants(here.time);
+  if (!wanted && !ended_) return;
+  wanted ? saved_.add(here) : saved_.end_at(here);
+  const State state = run_.state();
+  std::vector<Vector6> velocity(state.displacement.size(), Vector6::Constant(not_given));
+  for (std::size_t p = 0; p < velocity.size(); ++p)
+    if (!std::isnan(state.displacement[p][0])) velocity[p] = run_.velocity(Index(p));
+  hooks.show(state, velocity, saved_.all());
 }
 
 void CaseRun::check_for_blow_up(const Energies& energies) {
@@ -129,6 +146,7 @@ RelaxedCase CaseRun::result() const {
   result.seconds = seconds_;
   result.history = history_.columns();
   for (std::size_t c = 0; c < last_row_.size(); ++c) result.history[c].values.push_back(last_row_[c]);
+  result.saved = saved_.all();
   return result;
 }
 
@@ -138,10 +156,13 @@ void CaseRun::carry(Archive& archive) {
   archive(unrest_.fastest, unrest_.particle, unrest_.unbalanced);
   history_.carry(archive);
   archive(last_row_);
+  saved_.carry(archive);
   if (!archive.reading()) return;
   run_.load(run);
   if (!at_rest_) ended_ = run_.step() >= options_.max_steps;  // the limit may have been raised
-  if (!ended_) last_row_.clear();
+  if (ended_) return;
+  last_row_.clear();
+  saved_.forget_end();
 }
 
 }  // namespace bondstatic

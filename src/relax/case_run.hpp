@@ -3,6 +3,7 @@
 
 #include "bondstatic/relaxation.hpp"
 #include "relax/history.hpp"
+#include "relax/saved_states.hpp"
 
 namespace bondstatic {
 
@@ -15,19 +16,23 @@ class CaseRun {
           int threads);
 
   /// Runs to the next look. False where the run has ended. Throws AccuracyError where it blows up.
-  bool go_on(const std::function<Probes(const State&)>& probe);
+  bool go_on(const RelaxHooks& hooks);
 
   bool ended() const { return ended_; }
   Index step() const { return run_.step(); }
   double time() const { return run_.time(); }
   const Unrest& unrest() const { return unrest_; }
   double seconds_left() const;
+  const SavedStates& saved() const { return saved_; }
 
   RelaxedCase result() const;
   void carry(Archive& archive);  ///< everything that changes, out or in
 
  private:
-  void look(const std::function<Probes(const State&)>& probe);
+  void look(const RelaxHooks& hooks);
+  void record(const RelaxHooks& hooks, const Energies& energies);
+  void save(const RelaxHooks& hooks);
+  bool on_grid() const { return run_.step() % stretch_ == 0; }
   void check_for_blow_up(const Energies& energies);
 
   DynamicPlan plan_;
@@ -41,6 +46,7 @@ class CaseRun {
   Unrest unrest_;
   History history_;
   std::vector<double> last_row_;  ///< where the run ended, unless the history has it
+  SavedStates saved_;
   double seconds_ = 0;
   double seconds_a_step_ = 0;
 };

@@ -10,7 +10,7 @@ namespace bondstatic {
 
 namespace {
 
-const ArchiveFormat format{"checkpoint", 1};
+const ArchiveFormat format{"checkpoint", 2};
 
 }  // namespace
 
@@ -39,7 +39,8 @@ std::uint64_t fingerprint_of(const Model& model, std::span<const BondProperties>
   f(model.load_cases, unsupported, options.kinematics, options.particle_damping);
   describe(f, options.bond_damping);
   f(options.time_step, options.safety, options.ramp, options.ramp_time, options.velocity_limit,
-    options.force_limit, options.hold_time, options.record_interval, options.load_factor, probe);
+    options.force_limit, options.hold_time, options.record_interval, options.save_interval,
+    options.load_factor, probe);
   return f.checksum();
 }
 
@@ -53,6 +54,12 @@ std::string Progress::checkpoint() {
   archive(fingerprint_, plans_);
   for (CaseRun& run : runs_) run.carry(archive);
   return archive.finish();
+}
+
+std::vector<std::vector<SavedState>> Progress::saved() const {
+  std::vector<std::vector<SavedState>> saved;
+  for (const CaseRun& run : runs_) saved.push_back(run.saved().all());
+  return saved;
 }
 
 void Progress::resume(const std::string& checkpoint, const std::string& name) {

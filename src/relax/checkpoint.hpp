@@ -22,6 +22,9 @@ class Progress {
   std::size_t started() const { return runs_.size(); }
   CaseRun& run(std::size_t load_case) { return runs_[load_case]; }
 
+  /// States that were kept, of each load case that was started.
+  std::vector<std::vector<SavedState>> saved() const;
+
   std::string checkpoint();
 
   /// `name` is what messages call it. Throws Error (invalid_input) where it is damaged, or belongs to other

@@ -38,6 +38,16 @@ void warn_of_step(const DynamicPlan& plan, std::vector<std::string>& warnings) {
   if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
 }
 
+void warn_of_saved(const std::string& load_case, const CaseRun& run, double asked,
+                   std::vector<std::string>& warnings) {
+  const SavedStates& saved = run.saved();
+  if (saved.all().empty() || saved.interval() <= asked) return;
+  warnings.push_back(fmt::format(
+      "{}save_interval = {:.4g} asks for more states than are kept, one every {:.4g}: at most {}, and none "
+      "between two looks (record_interval)",
+      load_case.empty() ? "" : load_case + ": ", asked, saved.interval(), most_saved_states));
+}
+
 /// What is prescribed and what is free, one a load case.
 struct Setup {
   Boundary boundary;
@@ -91,6 +101,7 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
                                      options, relaxation.threads);
                     });
   if (!hooks.resume.empty()) progress.resume(hooks.resume, hooks.resume_name);
+  if (!hooks.resume.empty() && hooks.resumed) hooks.resumed(progress.saved());
 
   // 3. Each load case from rest without loads to rest under loads.
   auto kept = Clock::now();
@@ -111,7 +122,7 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
     if (hooks.phase) hooks.phase(false);
     CaseRun& run = progress.run(c);
     while (!run.ended() && go_on) {
-      run.go_on(hooks.probe);
+      run.go_on(hooks);
       if (seconds_since(kept) >= hooks.keep_every) keep();
       if (hooks.progress)
         go_on =
@@ -119,6 +130,7 @@ Relaxation relax(const Model& model, const RelaxOptions& options, const StaticOp
     }
     // Energy, work and reactions of a state of rest; of an interrupted one they are what they are.
     relaxation.cases.push_back(run.result());
+    warn_of_saved(model.load_cases[c], run, options.save_interval, relaxation.warnings);
   }
   relaxation.interrupted = relaxation.cases.size() < setups.size() ||
                            std::any_of(relaxation.cases.begin(), relaxation.cases.end(),

@@ -36,6 +36,7 @@ std::string unit_of(const std::string& name, bool si) {
   if (is_among(kind, angles)) return "rad";
   if (!si) return "";
   if (is_among(kind, lengths)) return "m";
+  if (kind == "velocity") return "m/s";
   if (kind.ends_with("force") || is_among(kind, force_components)) return "N";
   if (kind.ends_with("moment") || is_among(kind, moment_components)) return "N m";
   if (is_among(kind, stresses)) return "Pa";

@@ -110,12 +110,11 @@ std::vector<std::string> grid_files(const std::string& folder, PageRun& run) {
   return files;
 }
 
-std::vector<SceneState> load_case_states(const std::string& folder, const JsonValue& summary, PageRun& run,
-                                         const std::string& label) {
+std::vector<SceneState> load_case_states(const std::string& folder, const JsonValue& summary, PageRun& run) {
   std::vector<SceneState> states;
   for (const JsonValue& one : summary["load_cases"].items()) {
     std::vector<std::string> files = grid_files(folder_of(folder, one), run);
-    if (!files.empty()) states.push_back({std::move(files), one["name"].text_or(), label, std::nullopt});
+    if (!files.empty()) states.push_back({std::move(files), one["name"].text_or(), "", std::nullopt});
   }
   return states;
 }

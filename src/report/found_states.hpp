@@ -16,9 +16,8 @@ std::string folder_of(const std::string& folder, const JsonValue& load_case);
 /// model.vtu, or the pieces that model.pvtu names. Where they are not there: none, and a note in `run`.
 std::vector<std::string> grid_files(const std::string& folder, PageRun& run);
 
-/// A state for each load case of a summary, labelled by `label`.
-std::vector<SceneState> load_case_states(const std::string& folder, const JsonValue& summary, PageRun& run,
-                                         const std::string& label);
+/// A state for each load case of a summary, without a label.
+std::vector<SceneState> load_case_states(const std::string& folder, const JsonValue& summary, PageRun& run);
 
 /// What the series of a kind of run lists (results/state_series.hpp), "relax" or "fracture": files and times,
 /// ascending. None, and a note, where it is not there.

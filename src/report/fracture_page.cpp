@@ -131,8 +131,9 @@ std::vector<SceneState> states_of(PageRun& run, const std::string& folder, const
   const std::string load_case = summary["pattern"].text_or();
   const double events = summary["events"].number().value_or(0);
   std::vector<SceneState> states;
-  for (const ShownState& shown : shown_states(folder, fracture_kind, run))
-    states.push_back({{shown.file}, load_case, label_of(shown.time, history, words, units), shown.time});
+  if (events > 0)
+    for (const ShownState& shown : shown_states(folder, fracture_kind, run))
+      states.push_back({{shown.file}, load_case, label_of(shown.time, history, words, units), shown.time});
   if (!states.empty() && *states.back().step >= events) return states;
   std::vector<std::string> files = grid_files(folder, run);
   if (!files.empty())

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -8,6 +10,7 @@
 #include "report/page_parts.hpp"
 #include "report/pages.hpp"
 #include "report/relaxed_case.hpp"
+#include "results/relaxation_series.hpp"
 
 namespace bondstatic {
 
@@ -65,6 +68,45 @@ void put_history(PageRun& run, const CsvColumns& history, const std::string& loa
   }
 }
 
+/// "time 0.0012 s, kinetic 3.1e-09 J": the energy where the history has a row of that time.
+std::string label_of(double time, const std::optional<CsvColumns>& history, const PageUnits& units) {
+  const auto quantity = [&](const char* name, double value, const char* unit) {
+    return fmt::format("{} {:.4g}{}", name, value, units.si ? std::string(" ") + unit : "");
+  };
+  const std::string label = quantity("time", time, "s");
+  if (!history) return label;
+  const std::vector<double> times = history->numbers("time");
+  const auto row = std::lower_bound(times.begin(), times.end(), time);
+  if (row == times.end() || *row != time) return label;
+  const double kinetic = history->numbers("kinetic")[std::size_t(row - times.begin())];
+  return label + ", " + quantity("kinetic", kinetic, "J");
+}
+
+/// Those that the run kept on its way, or the last one.
+void put_states(FoundRun& found, const std::string& folder, const JsonValue& one,
+                const std::optional<CsvColumns>& history, bool kept, const PageUnits& units) {
+  const std::string name = one["name"].text_or();
+  const std::string end = one["end"].text_or() == "at rest" ? "at rest" : "not at rest";
+  std::vector<SceneState> states;
+  if (kept)
+    for (const ShownState& shown : shown_states(folder, relaxation_kind, found.page))
+      states.push_back({{shown.file}, name, label_of(shown.time, history, units), shown.time});
+  const auto time = one["time"].number();
+  if (!states.empty() && time && *states.back().step >= *time)
+    states.back().label += ", " + end;
+  else if (std::vector<std::string> files = grid_files(folder, found.page); !files.empty())
+    states.push_back({std::move(files), name, end, states.empty() ? std::nullopt : time});
+  found.states.insert(found.states.end(), states.begin(), states.end());
+}
+
+/// Whether the run wrote a series of states for this load case.
+bool has_series(const JsonValue& summary, const JsonValue& load_case) {
+  const std::string folder = load_case["folder"].text_or();
+  const std::string name = (folder.empty() ? "" : folder + "/") + series_file(relaxation_kind);
+  const std::vector<JsonValue> files = summary["files"].items();
+  return std::any_of(files.begin(), files.end(), [&](const JsonValue& file) { return file.text() == name; });
+}
+
 }  // namespace
 
 FoundRun relax_page(const std::string& folder, const JsonValue& summary) {
@@ -89,8 +131,9 @@ FoundRun relax_page(const std::string& folder, const JsonValue& summary) {
   std::move(time).put_into(run.tables);
   put_left_out(run, summary);
   for (const JsonValue& one : cases) {
-    const std::string file = (std::filesystem::path(folder_of(folder, one)) / "history.csv").string();
-    const auto history = CsvColumns::read(file);
+    const std::string place = folder_of(folder, one);
+    const std::string file = (std::filesystem::path(place) / "history.csv").string();
+    auto history = CsvColumns::read(file);
     const bool ours = history && history->names().size() >= known_columns.size() &&
                       std::equal(known_columns.begin(), known_columns.end(), history->names().begin());
     if (ours)
@@ -98,8 +141,9 @@ FoundRun relax_page(const std::string& folder, const JsonValue& summary) {
     else
       run.notes.push_back(file + (history ? " is of another run" : " is not there") +
                           ": no curves over time.");
+    if (!ours) history.reset();
+    put_states(found, place, one, history, has_series(summary, one), units);
   }
-  found.states = load_case_states(folder, summary, run, at_rest ? "at rest" : "not at rest");
   return found;
 }
 

@@ -24,13 +24,33 @@ std::string grouped(Index count) {
   return text;
 }
 
-/// Evenly spaced, with the first and the last.
-std::vector<bool> chosen_states(std::size_t count, double per_state, const SceneLimits& limits) {
-  const double most = std::max(2.0, std::floor(double(limits.numbers) / std::max(1.0, per_state)));
-  if (double(count) <= most) return std::vector<bool>(count, true);
+/// How many of so many, evenly spaced: the last one, from two on with the first.
+void choose(std::vector<bool>& chosen, const std::vector<std::size_t>& from, std::size_t kept) {
+  if (kept == 1) chosen[from.back()] = true;
+  for (std::size_t i = 0; kept > 1 && i < kept; ++i)
+    chosen[from[(i * (from.size() - 1) + (kept - 1) / 2) / (kept - 1)]] = true;
+}
+
+/// The last state of each load case, or of some where these are too many already; and of those before, as
+/// many as there is room for.
+std::vector<bool> chosen_states(const std::vector<SceneState>& states, double per_state,
+                                const SceneLimits& limits) {
+  const std::size_t count = states.size();
+  const double room = std::max(2.0, std::floor(double(limits.numbers) / std::max(1.0, per_state)));
+  if (double(count) <= room) return std::vector<bool>(count, true);
+  const auto most = std::size_t(room);
+  std::vector<std::vector<std::size_t>> cases;
+  std::vector<std::size_t> last;
+  for (std::size_t s = 0; s < count; ++s) {
+    if (s == 0 || states[s].load_case != states[s - 1].load_case) cases.emplace_back();
+    cases.back().push_back(s);
+  }
+  for (const auto& one : cases) last.push_back(one.back());
   std::vector<bool> chosen(count);
-  const auto kept = std::size_t(most);
-  for (std::size_t i = 0; i < kept; ++i) chosen[(i * (count - 1) + (kept - 1) / 2) / (kept - 1)] = true;
+  if (cases.size() > most) choose(chosen, last, most);
+  if (cases.size() > most) return chosen;
+  const std::size_t more = most - cases.size(), before = count - cases.size();
+  for (const auto& one : cases) choose(chosen, one, 1 + more * (one.size() - 1) / before);
   return chosen;
 }
 
@@ -79,7 +99,7 @@ std::optional<PageScene> read_scene(const std::vector<SceneState>& states, bool 
     if (s == 0) {
       if (grid.count(Of::points) == 0) return std::nullopt;
       reader.emplace(grid, si, limits, blocks);
-      chosen = chosen_states(states.size(), reader->numbers_of(grid), limits);
+      chosen = chosen_states(states, reader->numbers_of(grid), limits);
     }
     if (chosen[s]) reader->add(grid, states[s]);
     if (!plotted[s]) continue;

@@ -12,7 +12,8 @@
 namespace bondstatic {
 
 /// A model is drawn whole up to `particles` and `bonds`; of a larger one, a sample of what is too many. Of
-/// many states, as many as make no more than `numbers` altogether, but at least the first and the last.
+/// many states, as many as make no more than `numbers` altogether, evenly spaced in each load case with its
+/// last one; but at least two.
 struct SceneLimits {
   Index particles = 150'000;
   Index bonds = 600'000;

@@ -98,7 +98,7 @@ FoundRun solve_page(const std::string& folder, const JsonValue& summary) {
   put_time_and_memory(run, summary);
   put_bond_laws(run, summary);
   put_left_out(run, summary);
-  found.states = load_case_states(folder, summary, run, "");
+  found.states = load_case_states(folder, summary, run);
   return found;
 }
 

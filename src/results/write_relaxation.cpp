@@ -1,7 +1,10 @@
+#include <cmath>
+
 #include "bondstatic/results.hpp"
 #include "io/csv_writer.hpp"
 #include "io/file_set.hpp"
 #include "io/stale_staging.hpp"
+#include "results/relaxation_series.hpp"
 #include "results/result_set.hpp"
 
 namespace bondstatic {
@@ -22,19 +25,30 @@ std::vector<std::string> superseded_by_relaxation(const std::string& folder) {
 
 }  // namespace
 
-std::vector<std::string> relaxation_files(const Model& model) {
+std::vector<std::string> relaxation_files(const Model& model, const Relaxation& relaxation) {
   std::vector<std::string> names;
   for (const std::string& load_case : model.load_cases) {
     for (const std::string& name : state_files(model.load_cases, load_case)) names.push_back(name);
     names.push_back(history_file(model, load_case));
   }
+  for (const RelaxedCase& relaxed : relaxation.cases)
+    for (const std::string& name :
+         series_files(relaxation_series(model, relaxed.state.name, relaxed.saved, "")))
+      names.push_back(name);
   names.insert(names.end(), {"case.resolved.toml", "summary.json"});
   return names;
 }
 
-void check_relaxation_folder(const Model& model, const std::string& folder) {
+void check_relaxation_folder(const Model& model, const RelaxOptions& asked, const std::string& folder) {
   sweep_stale_staging(folder);
-  check_writable(folder, relaxation_files(model), superseded_by_relaxation(folder));
+  std::vector<std::string> names = relaxation_files(model);
+  if (!std::isnan(asked.save_interval))
+    for (const std::string& load_case : model.load_cases) {
+      const StateSeries series = relaxation_series(model, load_case, {}, folder);
+      names.push_back(series.prefix + series_file(series.kind));
+      for (const std::string& name : states_in(folder, series)) names.push_back(name);
+    }
+  check_writable(folder, names, superseded_by_relaxation(folder));
 }
 
 void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& relaxation,
@@ -47,11 +61,13 @@ void write_relaxation(const Model& model, const RunInfo& run, const Relaxation& 
     std::vector<Column> columns;
     for (const HistoryColumn& column : relaxed.history) columns.push_back({column.name, column.values});
     write_csv(files.create(history_file(model, relaxed.state.name)), columns);
+    adopt_states(files, relaxation_series(model, relaxed.state.name, relaxed.saved, folder));
   }
   files.create("case.resolved.toml").append(run.resolved);
   files.create("summary.json")
-      .append(relaxation_json(model, run, relaxation, outputs, relaxation_files(model)));
+      .append(relaxation_json(model, run, relaxation, outputs, relaxation_files(model, relaxation)));
   files.commit();
+  if (relaxation.at_rest()) keep_shown_relaxation(model, {}, folder);
 }
 
 }  // namespace bondstatic

@@ -50,10 +50,10 @@ void expect_same_options(const RelaxOptions& left, const RelaxOptions& right) {
   EXPECT_EQ(left.max_steps, right.max_steps);
   const auto numbers = [](const RelaxOptions& o) {
     const BondDamping& b = o.bond_damping;
-    return std::vector<double>{o.particle_damping, b.paper,          b.normal,      b.shear,
-                               b.twisting,         b.bending,        o.time_step,   o.safety,
-                               o.ramp_time,        o.velocity_limit, o.force_limit, o.hold_time,
-                               o.record_interval,  o.check_tolerance};
+    return std::vector<double>{o.particle_damping, b.paper,          b.normal,         b.shear,
+                               b.twisting,         b.bending,        o.time_step,      o.safety,
+                               o.ramp_time,        o.velocity_limit, o.force_limit,    o.hold_time,
+                               o.record_interval,  o.save_interval,  o.check_tolerance};
   };
   EXPECT_TRUE(same_vector(numbers(left), numbers(right)));
 }
@@ -71,6 +71,7 @@ force_limit = 1e-5
 hold_time = 0.25
 max_steps = 2000
 record_interval = 0.01
+save_interval = 0.125
 [check]
 tolerance = 1e-4)";
 
@@ -91,6 +92,7 @@ TEST(Dynamics, ReadsEveryKey) {
   EXPECT_EQ(o.hold_time, 0.25);
   EXPECT_EQ(o.max_steps, 2000);
   EXPECT_EQ(o.record_interval, 0.01);
+  EXPECT_EQ(o.save_interval, 0.125);
   EXPECT_EQ(o.check_tolerance, 1e-4);
 }
 
@@ -103,10 +105,11 @@ TEST(Dynamics, DefaultsAreThoseOfTheOptions) {
 TEST(Dynamics, UnitsMakeTheSameOptionsInSi) {
   const Case plain = read_for_dynamics(
       heavy_case("[dynamics]\ntime_step = 2e-6\nramp_time = 120\nhold_time = 0.005\nrecord_interval = 1800\n"
-                 "velocity_limit = 1e-8\nparticle_damping = 0.25"));
+                 "save_interval = 60\nvelocity_limit = 1e-8\nparticle_damping = 0.25"));
   const Case units = read_for_dynamics(
       heavy_case("[dynamics]\ntime_step = \"2 us\"\nramp_time = \"2 min\"\nhold_time = \"5 ms\"\n"
-                 "record_interval = \"0.5 h\"\nvelocity_limit = \"10 nm/s\"\nparticle_damping = \"25 %\""));
+                 "record_interval = \"0.5 h\"\nsave_interval = \"1 min\"\nvelocity_limit = \"10 "
+                 "nm/s\"\nparticle_damping = \"25 %\""));
   expect_same_options(plain.relax, units.relax);
   EXPECT_FALSE(plain.si);
   EXPECT_TRUE(units.si);
@@ -186,7 +189,7 @@ TEST(ResolvedDynamics, HasDefaultsButNotWhatTheRunWorksOut) {
         "safety = 0.8\n", "ramp = \"linear\"\n", "velocity_limit = 1e-09\n", "force_limit = 1e-08\n",
         "max_steps = 1000000000\n", "[check]\ntolerance = 1e-06\n"})
     EXPECT_THAT(resolved, HasSubstr(line));
-  for (const char* key : {"time_step", "ramp_time", "hold_time", "record_interval"})
+  for (const char* key : {"time_step", "ramp_time", "hold_time", "record_interval", "save_interval"})
     EXPECT_THAT(resolved, Not(HasSubstr(key)));
   const std::string given =
       read_for_dynamics(heavy_case("[dynamics]\ntime_step = 1e-6\nbond_damping = { normal = 1 }")).resolved;
@@ -301,6 +304,11 @@ const std::vector<Slip> slips{
     key("MaxStepsNan", "max_steps = nan", 13, "must be a whole number", "max_steps = 1"),
     key("RecordIntervalZero", "record_interval = 0", 19, "must be positive", "\"NUMBER s\""),
     key("RecordIntervalInfinite", "record_interval = inf", 19, "must be finite", "record_interval"),
+    key("SaveIntervalZero", "save_interval = 0", 17, "must be positive", "\"NUMBER s\""),
+    key("SaveIntervalDimension", "save_interval = \"1 mm\"", 17, "a time is wanted", "\"NUMBER s\""),
+    key("SaveIntervalType", "save_interval = true", 17, "save_interval = true must be a number",
+        "save_interval"),
+    key("SaveIntervalInfinite", "save_interval = inf", 17, "must be finite", "save_interval"),
     {"CheckIsList", "[[check]]", 20, 1, "[check] = a list of 1 must be a table", "{"},
     {"CheckKey", "[check]\ntolerence = 1e-6", 21, 1, "unknown key \"tolerence\" in [check]", "\"tolerance\""},
     {"CheckToleranceZero", "[check]\ntolerance = 0", 21, 13, "tolerance = 0 must be positive", "tolerance"},

@@ -187,6 +187,26 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.reports[""]["steps"], run.history()["step"][-1])
         self.assertTrue(heard and heard[0][0] == "")
 
+    def test_states_on_the_way_are_shown(self):
+        model = self.model()
+        shown = []
+        whole = bs.relax(model)
+        interval = whole.history()["time"][-1] / 10
+        run = bs.relax(model, save_interval=interval, on_state=lambda *given: shown.append(given))
+        times = [time for time, _, _ in shown]
+        self.assertEqual(times[0], 0)
+        self.assertEqual(times[-1], run.history()["time"][-1])
+        self.assertTrue(10 <= len(times) <= 12 and (np.diff(times) > 0).all())
+        np.testing.assert_array_equal(shown[-1][1].displacement, run.displacement)
+        np.testing.assert_array_equal(run.displacement, whole.displacement)
+        for time, state, velocity in shown:
+            self.assertEqual((state.name, velocity.shape), ("", (3, 3)))
+            row = np.searchsorted(run.history()["time"], time)
+            self.assertEqual(state.energy, run.history()["strain"][row])
+            self.assertLessEqual(np.linalg.norm(velocity, axis=1).max(), run.history()["fastest"][row] * (1 + 1e-15))
+        with self.assertRaisesRegex(bs.InputError, "save_interval without on_state"):
+            bs.relax(model, save_interval=interval)
+
     def test_options_are_those_of_a_case(self):
         model = bs.read(CASES / "cantilever" / "case.toml", set={
             "particles.0.density": 2650.0, "dynamics.kinematics": "small", "dynamics.time_step": 1e-6})

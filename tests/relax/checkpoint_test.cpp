@@ -266,6 +266,7 @@ TEST(Checkpoint, OfOtherOptionsIsRefusedAndOfMoreStepsIsNot) {
       {"velocity_limit", [](RelaxOptions& o) { o.velocity_limit = 1e-8; }},
       {"force_limit", [](RelaxOptions& o) { o.force_limit = 1e-7; }},
       {"record_interval", [](RelaxOptions& o) { o.record_interval = 1e-3; }},
+      {"save_interval", [](RelaxOptions& o) { o.save_interval = 1e-3; }},
       {"load_factor", [](RelaxOptions& o) { o.load_factor = 0.5; }}};
   for (const auto& [what, change] : changes) {
     RelaxOptions other = sound.options;

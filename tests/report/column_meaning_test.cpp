@@ -22,6 +22,7 @@ TEST(ColumnMeaning, UnitsAreThoseOfTheQuantity) {
                                                        {"bending_moment", "N m"},
                                                        {"tau", "Pa"},
                                                        {"energy", "J"},
+                                                       {"velocity", "m/s"},
                                                        {"utilisation", ""},
                                                        {"break_step", ""},
                                                        {"fixed", ""}};

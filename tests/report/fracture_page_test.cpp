@@ -95,6 +95,16 @@ TEST(PageOfFracture, StatesSayHowFarItIs) {
   EXPECT_EQ(last.states[0].files[0], (folder / "model.vtu").string());
 }
 
+TEST(PageOfFracture, InWhichNothingBreaksHasOneState) {
+  const ScratchFolder given, folder;
+  run_into(folder,
+           {"fracture", given.write("case.toml", fibre_bundle()), "--set", "fracture.max_factor=1e-3"});
+  const FoundRun found = only_run(folder);
+  EXPECT_THAT(found.page.notes, IsEmpty());
+  ASSERT_EQ(found.states.size(), 1u);
+  EXPECT_EQ(found.states[0].label, "0 broken");
+}
+
 /// Two bonds break together, then one after another at the same load.
 constexpr const char* rows =
     "step,factor,load,displacement,bond,a,b,mode,utilisation,runner_up,released,strain_energy,work,"

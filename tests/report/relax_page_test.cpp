@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "report/found_pages.hpp"
@@ -57,6 +58,39 @@ TEST(PageOfRelax, DrawsItsHistory) {
   EXPECT_EQ(number(fact(plan, "critical time step")), one["plan"]["critical_time_step"].get<double>());
   EXPECT_EQ(number(fact(plan, "frequency of mode 1, rad per time")),
             one["plan"]["lowest_frequencies"][0].get<double>());
+}
+
+TEST(PageOfRelax, PlaysTheStatesOfTheRunInTime) {
+  const ScratchFolder given, folder;
+  run_into(folder,
+           {"relax", given.write("case.toml", moving_case()), "--set", "dynamics.save_interval=\"0.01 s\""});
+  const auto history = CsvColumns::read((folder / "history.csv").string());
+  const auto time = history->numbers("time"), kinetic = history->numbers("kinetic");
+  const FoundRun found = only_run(folder);
+  EXPECT_THAT(found.page.notes, IsEmpty());
+  ASSERT_GT(found.states.size(), 4u);
+  for (std::size_t i = 0; i < found.states.size(); ++i) {
+    const SceneState& state = found.states[i];
+    const auto row = std::find(time.begin(), time.end(), *state.step) - time.begin();
+    ASSERT_LT(row, std::ptrdiff_t(time.size()));
+    const bool last = i + 1 == found.states.size();
+    EXPECT_EQ(state.label, fmt::format("time {:.4g} s, kinetic {:.4g} J{}", *state.step,
+                                       kinetic[std::size_t(row)], last ? ", at rest" : ""));
+    const double before = i > 0 ? *found.states[i - 1].step : -1;
+    EXPECT_GT(*state.step, before + (i > 0 && !last ? 0.005 : 0));
+  }
+  EXPECT_EQ(*found.states[0].step, 0);
+  EXPECT_EQ(*found.states.back().step,
+            json_in(folder / "summary.json")["load_cases"][0]["time"].get<double>());
+  EXPECT_EQ(found.states[0].files[0], (folder / "relax_0000.vtu").string());
+
+  folder.write("history.csv", "evaluation,cost\n1,2\n");
+  EXPECT_EQ(only_run(folder).states[0].label, "time 0 s");
+  std::filesystem::remove(folder / "relax.pvd");
+  const FoundRun last = only_run(folder);
+  EXPECT_THAT(last.page.notes, testing::Contains(HasSubstr("relax.pvd is not there: only the last state")));
+  ASSERT_EQ(last.states.size(), 1u);
+  EXPECT_EQ(last.states[0].label, "at rest");
 }
 
 TEST(PageOfRelax, SaysWhatIsMissingAndWhatIsNoAnswerYet) {

@@ -16,6 +16,7 @@ using test::ScratchFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Pair;
 
 /// What read_scene() gives, with its blocks.
 struct Read {
@@ -254,6 +255,31 @@ TEST_F(Scene, OfTooManyStatesAreEvenlySpaced) {
   EXPECT_EQ(Read(states, limits).scene->states.size(), 2u);
   limits.numbers = Index(11.5 * numbers);
   EXPECT_THAT(Read(states, limits).notes, IsEmpty());
+}
+
+TEST_F(Scene, OfTooManyStatesEachLoadCaseHasItsLast) {
+  std::vector<SceneState> states;
+  const std::vector<std::string> files{file(0)};
+  for (const auto& [name, count] : {std::pair{"one", 1}, std::pair{"nine", 9}, std::pair{"five", 5}})
+    for (int step = 0; step < count; ++step) states.push_back({files, name, "", double(step)});
+  SceneLimits limits;
+  const Read all(states);
+  double numbers = 0;
+  for (const auto* of : {&all.scene->states[0].particle, &all.scene->states[0].bond})
+    for (const BlockRef& ref : *of) numbers += double(ref.count);
+  const auto shown = [&](double room) {
+    limits.numbers = Index(room * numbers);
+    std::vector<std::pair<std::string, double>> found;
+    const Read read(states, limits);
+    for (const PageState& state : read.scene->states) found.emplace_back(state.load_case, *state.step);
+    return found;
+  };
+  EXPECT_THAT(shown(15.5), testing::SizeIs(15));
+  EXPECT_THAT(shown(9.5),
+              ElementsAre(Pair("one", 0), Pair("nine", 0), Pair("nine", 2), Pair("nine", 4), Pair("nine", 6),
+                          Pair("nine", 8), Pair("five", 0), Pair("five", 2), Pair("five", 4)));
+  EXPECT_THAT(shown(3.5), ElementsAre(Pair("one", 0), Pair("nine", 8), Pair("five", 4)));
+  EXPECT_THAT(shown(2.5), ElementsAre(Pair("one", 0), Pair("five", 4)));
 }
 
 TEST_F(Scene, StatesOfAnotherModelAreRefused) {

@@ -59,7 +59,8 @@ struct Written {
     write_relaxation(model, info, relaxation, outputs, folder.string());
   }
   nlohmann::json json() const {
-    return nlohmann::json::parse(relaxation_json(model, info, relaxation, outputs, relaxation_files(model)));
+    return nlohmann::json::parse(
+        relaxation_json(model, info, relaxation, outputs, relaxation_files(model, relaxation)));
   }
 };
 
@@ -183,7 +184,7 @@ TEST(RelaxationResults, DoNotReplaceFilesOfTheUser) {
   const ScratchFolder scratch;
   scratch.write("history.csv", "mine");
   const Written run({""});
-  EXPECT_THROW(check_relaxation_folder(run.model, scratch.path().string()), Error);
+  EXPECT_THROW(check_relaxation_folder(run.model, {}, scratch.path().string()), Error);
   EXPECT_THROW(run.write(scratch.path()), Error);
   EXPECT_THAT(everything_in(scratch.path()), ElementsAre("history.csv"));
   EXPECT_EQ(read_text(scratch / "history.csv"), "mine");

@@ -12,6 +12,8 @@ from .solution import States
 
 #: Called now and then with load case, step, unbalanced force over loads, fastest speed.
 RunProgress = Union[Callable[[str, int, float, float], object], None]
+#: Called with the time, the state and the velocities of the particles (n, 3); state.name is the load case.
+OnWay = Union[Callable[[float, _core.State, Floats], object], None]
 
 
 class Relaxation(States):
@@ -38,19 +40,22 @@ class Relaxation(States):
 
 
 def relax(model: Model, *, threads: int | None = None, load_factor: float = 1.0, progress: RunProgress = None,
-          **dynamics: Any) -> Relaxation:
+          on_state: OnWay = None, **dynamics: Any) -> Relaxation:
     """The model through time to rest: explicit DEM. Every particle needs a density. Ctrl-C ends it.
 
     threads      at most; the answer does not depend on it
     load_factor  times all loads and prescribed motions
+    on_state     called with the states on the way that save_interval=.. asks for, the first and the last among them
     dynamics     as in [dynamics] of a case file: kinematics="small", particle_damping=0.7, ramp_time=.., max_steps=..;
                  what is not given is as in the model's case
     """
     ready = model._ready()
     if not math.isfinite(load_factor):
         raise InputError(f"load_factor = {load_factor} must be finite\n    cure: write load_factor=1.0")
+    if on_state is None and "save_interval" in dynamics:
+        raise InputError("save_interval without on_state: nothing would hear of the states\n    cure: give on_state=..")
     options = ready._relax.with_(dynamics)
     solve = ready._solve.with_({"threads": threads})
-    relaxation = Relaxation(ready, _core.relax(ready._core, options, solve, load_factor, progress))
+    relaxation = Relaxation(ready, _core.relax(ready._core, options, solve, load_factor, progress, on_state))
     _warn(relaxation._relaxed.warnings)
     return relaxation

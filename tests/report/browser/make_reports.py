@@ -2,8 +2,9 @@
 
     /usr/bin/python3 make_reports.py PROGRAM CASES OUT
 
-OUT gets press.html (a packing), beam.html (a crack), all.html (a run of every kind side by side), hostile.html (a title
-that would be a script) and large.html (106,856 particles, 410,000 bonds), and beside them the folders of results that they show.
+OUT gets press.html (a packing), beam.html (a crack), moving.html (two load cases on their way to rest), all.html (a run of every
+kind side by side), hostile.html (a title that would be a script) and large.html (106,856 particles, 410,000 bonds), and beside
+them the folders of results that they show.
 """
 import pathlib
 import shutil
@@ -33,6 +34,16 @@ at = { highest = { axis = "z", within = "0.5 mm" } }
 total_force = ["20 N", 0, "-100 N"]
 """
 
+MOVING = """
+case = "down"
+[[loads]]
+at = { id = 11 }
+force = [0, 0, "50 kN"]
+case = "up"
+[dynamics]
+save_interval = "10 ms"
+"""
+
 
 def run(program, *arguments):
     subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
@@ -55,6 +66,9 @@ def make(program, cases, out):
     results_of("loads", "solve", cases / "yade-packing/loads.toml")
     results_of("beam", "fracture", cases / "fracture/beam.toml")
     results_of("relax", "relax", cantilever)
+    moving = cantilever.read_text(encoding="utf-8").replace("force = [0, -100e3, 0]", 'force = [0, -100e3, 0]\ncase = "down"')
+    (out / "moving.toml").write_text(moving + MOVING, encoding="utf-8")
+    results_of("moving", "relax", out / "moving.toml")
     results_of("check", "check", cantilever)
     results_of("sweep", "sweep", cases / "chen2022/case3.toml", "--vary",
                "bonds.0.law=parallel,euler-bernoulli,timoshenko", "--vary",
@@ -67,6 +81,7 @@ def make(program, cases, out):
     report("press.html", "press")
     report("loads.html", "loads")
     report("beam.html", "beam")
+    report("moving.html", "moving")
     report("all.html", "press", "relax", "check", "compare", "sweep", "beam", "calibrate")
     report("hostile.html", "hostile")
     report("large.html", "large")

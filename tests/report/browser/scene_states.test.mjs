@@ -74,6 +74,46 @@ describe('a beam that cracks', () => {
   });
 });
 
+describe('a cantilever on its way to rest', () => {
+  let page, problems, close;
+  before(async () => ({ page, problems, close } = await opened('moving.html', { width: 1000, height: 560 })));
+  after(async () => {
+    await close?.();
+    assert.deepEqual(problems, []);
+  });
+  const shown = (text) => page.locator('.scene-state').filter({ hasText: text }).waitFor({ timeout: 60_000 });
+  const told = () =>
+    page.evaluate(() => JSON.parse(document.getElementById('page-data').textContent).runs[0].scene.states);
+
+  for (const name of ['up', 'down'])
+    test(`load case ${name} is played in time`, async () => {
+      const states = (await told()).filter((state) => state.load_case === name);
+      const { time, kinetic } = await columns(`moving/${name}/history.csv`);
+      assert.ok(states.length > 10, `${states.length} states`);
+      await page.getByLabel('Load case', { exact: true }).selectOption(name);
+      await shown(new RegExp(`^${states.length} of ${states.length}: time .*, at rest$`));
+      await page.getByLabel('state', { exact: true }).focus();
+      await page.keyboard.press('Home');
+      const pictures = new Set();
+      for (const [i, { step, label }] of states.entries()) {
+        const row = time.indexOf(step);
+        assert.ok(row >= 0 && (i === 0 || step > states[i - 1].step), `time ${step}`);
+        const [, at, energy] = /^time (\S+) s, kinetic (\S+) J/.exec(label);
+        assert.ok(Math.abs(at - step) <= 5e-4 * step, label);
+        assert.ok(Math.abs(energy - kinetic[row]) <= 5e-4 * kinetic[row], label);
+        await shown(`${i + 1} of ${states.length}: ${label}`);
+        if (i < 6) pictures.add((await picture(page)).toString('base64'));
+        await page.getByLabel('state', { exact: true }).focus();
+        await page.keyboard.press('ArrowRight');
+      }
+      assert.equal(pictures.size, 6, 'the beam moves');
+      await page.getByRole('button', { name: 'Play the states' }).click();
+      await shown(/^2 of/);
+      await shown(/, at rest$/);
+      await page.locator('button[aria-label="Play the states"][aria-pressed="false"]').waitFor();
+    });
+});
+
 test('load cases are chosen by name', async () => {
   const { page, problems, close } = await opened('loads.html', { width: 1000, height: 560 });
   try {

@@ -5,8 +5,8 @@ import type { State } from '../data';
 import type { Show } from './show';
 import { select } from './widgets';
 
-/** Between two states while playing, in milliseconds. */
-const pace = 450;
+/** Between two of so many states while playing, in milliseconds: a long series takes half a minute. */
+const pace = (states: number) => Math.min(450, 30_000 / states);
 
 /** "3 of 9: 20 broken" */
 function place(at: number, states: State[]): string {
@@ -52,7 +52,7 @@ export function stepControls(show: Show): HTMLElement | null {
     if (playing)
       playing = window.setTimeout(
         () => onward().catch(tellProblem),
-        Math.max(0, pace - (performance.now() - started)),
+        Math.max(0, pace(last + 1) - (performance.now() - started)),
       );
   };
   const play = button('Play', 'Play the states', () => {
@@ -60,7 +60,7 @@ export function stepControls(show: Show): HTMLElement | null {
     play.textContent = 'Pause';
     play.setAttribute('aria-pressed', 'true');
     const first = Number(input.value) >= Number(input.max) ? goTo(0) : Promise.resolve();
-    playing = window.setTimeout(() => first.then(onward).catch(tellProblem), pace);
+    playing = window.setTimeout(() => first.then(onward).catch(tellProblem), pace(Number(input.max) + 1));
   });
   const jump = (by: number) => {
     stop();
