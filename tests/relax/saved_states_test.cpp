@@ -241,6 +241,31 @@ TEST(SavedStates, OfARunAtItsLimitOfStepsHaveItsEndAndLoseItWhereItGoesOn) {
   EXPECT_EQ(resumed.at(0).back().step, part.saved[part.saved.size() - 2].step);
 }
 
+TEST(SavedStates, OfALongRunAreTheSameAfterAStop) {
+  const Model model = loaded_cantilever(1);
+  RelaxOptions options;
+  options.particle_damping = 0;
+  options.record_interval = options.save_interval = 1e-9;  // every step
+  options.max_steps = 3000;
+  std::vector<SavedState> last;
+  RelaxHooks hooks;
+  hooks.show = [&](const State&, const std::vector<Vector6>&, const std::vector<SavedState>& saved) {
+    last = saved;
+  };
+  const RelaxedCase whole = relaxed(model, options, hooks);
+  ASSERT_EQ(whole.saved.size(), 3000 / 8 + 1);
+  for (const Index stop : {600, 2000}) {
+    std::string kept;
+    hooks.keep = [&](const std::string& checkpoint) { kept = checkpoint; };
+    hooks.progress = [&](const RelaxProgress& progress) { return progress.step != stop; };
+    hooks.resume = "";
+    relaxed(model, options, hooks);
+    hooks.resume = kept;
+    EXPECT_EQ(times(relaxed(model, options, hooks).saved), times(whole.saved)) << stop;
+    EXPECT_EQ(times(last), times(whole.saved)) << stop;
+  }
+}
+
 TEST(SavedStates, MoreThanAreKeptAreWarnedOf) {
   const Model model = loaded_cantilever();
   RelaxOptions options = saving(model);
