@@ -57,7 +57,6 @@ ExitCode relax(const LongRunArguments& arguments) {
     if (hooks.resume.empty()) keep_shown_relaxation(given.model, shown, options.folder);
     hooks.resumed = [&](const std::vector<std::vector<SavedState>>& saved) {
       check_shown_relaxation(given.model, saved, options.folder);
-      keep_shown_relaxation(given.model, saved, options.folder);
       shown = saved;
     };
     hooks.show = [&](const State& state, const std::vector<Vector6>& velocity,

@@ -275,6 +275,7 @@ TEST_F(Scene, OfTooManyStatesEachLoadCaseHasItsLast) {
     return found;
   };
   EXPECT_THAT(shown(15.5), testing::SizeIs(15));
+  EXPECT_THAT(shown(14.5), testing::SizeIs(13)) << "never more than there is room for";
   EXPECT_THAT(shown(9.5),
               ElementsAre(Pair("one", 0), Pair("nine", 0), Pair("nine", 2), Pair("nine", 4), Pair("nine", 6),
                           Pair("nine", 8), Pair("five", 0), Pair("five", 2), Pair("five", 4)));
