@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
-#include <utility>
 
 #include "app/commands.hpp"
 #include "app/run_case.hpp"
@@ -23,6 +22,7 @@ struct Outcome {
   ExitCode code = ExitCode::done;
   std::string message;
   std::vector<OutputValue> outputs;
+  std::string particles, bonds;  ///< how many; "" where the case could not be read
 };
 
 std::string status_of(ExitCode code) {
@@ -48,13 +48,20 @@ int severity(ExitCode code) {
 }
 
 Outcome outcome_at(const SolveArguments& arguments, const std::vector<std::string>& overrides) {
+  Outcome outcome;
   try {
-    return {ExitCode::done, "", answer(read_case(arguments, overrides), nullptr).outputs};
+    const Case given = read_case(arguments, overrides);
+    outcome.particles = std::to_string(given.model.particles.size());
+    outcome.bonds = std::to_string(given.model.bonds.size());
+    outcome.outputs = answer(given, nullptr).outputs;
   } catch (const Error& error) {
-    return {error.code(), error.what(), {}};
+    outcome.code = error.code();
+    outcome.message = error.what();
   } catch (const std::bad_alloc&) {
-    return {ExitCode::out_of_memory, "out of memory", {}};
+    outcome.code = ExitCode::out_of_memory;
+    outcome.message = "out of memory";
   }
+  return outcome;
 }
 
 std::vector<std::string> assignments(const std::vector<std::string>& keys,
@@ -68,7 +75,7 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
   return fmt::format("{}", fmt::join(parts, separator));
 }
 
-/// Keys, outputs, status; outputs stay empty where a point failed.
+/// Keys, numbers of particles and bonds, outputs, status; outputs stay empty where a point failed.
 std::string table_of(const std::vector<std::string>& keys,
                      const std::vector<std::vector<std::string>>& points,
                      const std::vector<Outcome>& outcomes) {
@@ -79,13 +86,15 @@ std::string table_of(const std::vector<std::string>& keys,
     for (const OutputValue& output : solved->outputs) names.push_back(output.name);
 
   std::vector<std::string> fields;
-  for (const auto* part : {&keys, &std::as_const(names)})
-    for (const std::string& name : *part) fields.push_back(csv_field(name));
+  for (const std::string& key : keys) fields.push_back(csv_field(key));
+  fields.insert(fields.end(), {"particles", "bonds"});
+  for (const std::string& name : names) fields.push_back(csv_field(name));
   fields.push_back("status");
   std::string text = joined(fields, ",") + "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     fields.clear();
     for (const std::string& value : points[i]) fields.push_back(csv_field(value));
+    fields.insert(fields.end(), {outcomes[i].particles, outcomes[i].bonds});
     // By name: a point may vary what is asked for.
     for (const std::string& name : names) {
       const auto& outputs = outcomes[i].outputs;

@@ -46,6 +46,7 @@ struct PageSeries {
   Draw draw = Draw::line;
   std::vector<double> low = {}, high = {};  ///< interval of each y; may be empty
   bool reference = false;  ///< what the others are compared with: closed form, experiment, target
+  int place = -1;          ///< whose colour and marker it has, so that plots agree; -1: its own in the plot
 };
 
 /// A point of a plot that is named.
@@ -64,6 +65,32 @@ struct PagePlot {
   std::vector<PageSeries> series;
   std::vector<PageMark> marks = {};
   std::string note = {};
+};
+
+/// A sweep, row by row: the reader chooses what the ordinates are drawn over.
+struct PageSweep {
+  struct Column {
+    std::string name, unit;
+    std::vector<double> values;                ///< NaN: not known
+    std::vector<std::string> categories = {};  ///< where values count names: 0, 1, ...
+  };
+  struct Curves {
+    std::vector<std::string> names;  ///< "" where there is one only
+    std::vector<std::size_t> of_row;
+  };
+  struct Abscissa {
+    std::size_t column = 0, curves = 0;
+    bool log = false;  ///< unless the reader says otherwise
+  };
+  struct Ordinate {
+    std::string title;
+    std::size_t column = 0;
+    bool log = false;
+  };
+  std::vector<Column> columns;
+  std::vector<Curves> curves;
+  std::vector<Abscissa> abscissae;  ///< first the one that is shown first
+  std::vector<Ordinate> ordinates;
 };
 
 /// A quantity that particles or bonds can be coloured by.
@@ -104,6 +131,7 @@ struct PageRun {
   std::vector<std::string> warnings;  ///< of the run
   std::vector<PageTable> tables;
   std::vector<PagePlot> plots;
+  std::optional<PageSweep> sweep;
   std::optional<PageScene> scene;
   std::string resolved_case;  ///< text; "" where the run wrote none
 };

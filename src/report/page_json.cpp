@@ -81,9 +81,10 @@ Json axis(const PageAxis& one) {
 }
 
 Json series(const PageSeries& one) {
-  return {{"name", one.name},          {"x", numbers(one.x)},     {"y", numbers(one.y)},
-          {"draw", name_of(one.draw)}, {"low", numbers(one.low)}, {"high", numbers(one.high)},
-          {"reference", one.reference}};
+  return {{"name", one.name},           {"x", numbers(one.x)},
+          {"y", numbers(one.y)},        {"draw", name_of(one.draw)},
+          {"low", numbers(one.low)},    {"high", numbers(one.high)},
+          {"reference", one.reference}, {"place", one.place < 0 ? Json() : Json(one.place)}};
 }
 
 Json mark(const PageMark& one) {
@@ -98,6 +99,33 @@ Json plot(const PagePlot& one) {
           {"series", list(one.series, series)},
           {"marks", list(one.marks, mark)},
           {"note", one.note}};
+}
+
+Json sweep_column(const PageSweep::Column& one) {
+  return {{"name", one.name},
+          {"unit", one.unit},
+          {"values", numbers(one.values)},
+          {"categories", one.categories}};
+}
+
+Json curves(const PageSweep::Curves& one) {
+  return {{"names", one.names}, {"of_row", one.of_row}};
+}
+
+Json abscissa(const PageSweep::Abscissa& one) {
+  return {{"column", one.column}, {"curves", one.curves}, {"log", one.log}};
+}
+
+Json ordinate(const PageSweep::Ordinate& one) {
+  return {{"title", one.title}, {"column", one.column}, {"log", one.log}};
+}
+
+Json sweep(const std::optional<PageSweep>& one) {
+  if (!one) return {};
+  return {{"columns", list(one->columns, sweep_column)},
+          {"curves", list(one->curves, curves)},
+          {"abscissae", list(one->abscissae, abscissa)},
+          {"ordinates", list(one->ordinates, ordinate)}};
 }
 
 Json column(const PageColumn& one) {
@@ -144,6 +172,7 @@ Json run(const PageRun& one) {
           {"warnings", one.warnings},
           {"tables", list(one.tables, table)},
           {"plots", list(one.plots, plot)},
+          {"sweep", sweep(one.sweep)},
           {"scene", scene(one.scene)},
           {"resolved_case", one.resolved_case}};
 }

@@ -3,28 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "bondstatic/error.hpp"
+#include "io/nearest_name.hpp"
 
 namespace bondstatic {
 
 namespace {
 
-/// What a case file has at its top; an output that is called so, too, has no dot behind it.
-constexpr std::array<std::string_view, 12> sections = {"particles", "groups",  "bonds",    "supports",
-                                                       "loads",     "outputs", "solve",    "cell",
-                                                       "dynamics",  "check",   "fracture", "calibration"};
-
-/// Keys come first in the table, and there is at least one.
-bool is_key(const std::string& name) {
-  const std::string top = name.substr(0, name.find('.'));
-  return name == "title" ||
-         (top != name && std::find(sections.begin(), sections.end(), top) != sections.end());
+/// Where the counts begin: `sweep` writes keys, particles, bonds, outputs, status. Outputs may be called so,
+/// too.
+int place_of_counts(const std::vector<std::string>& names) {
+  for (std::size_t i = 1; i + 2 < names.size(); ++i)
+    if (names[i] == "particles" && names[i + 1] == "bonds") return int(i);
+  return -1;
 }
 
 std::string without_quotes(const std::string& text) {
@@ -95,23 +91,31 @@ std::vector<std::string> entries_of(const std::string& text) {
 SweepTable read_sweep(const std::string& file, const CsvColumns& csv) {
   SweepTable table;
   table.columns = csv.names();
+  const char* cure = "let `bondstatic sweep CASE --vary KEY=v1,v2 --out DIR` write it anew";
   if (table.columns.size() < 2 || table.columns.back() != "status")
     throw InputError({{{file, 1, 1},
                        fmt::format("the last column is {} where status must be", table.columns.back()),
-                       "let `bondstatic sweep CASE --vary KEY=v1,v2 --out DIR` write it anew"}});
-  const int last = int(table.columns.size()) - 1;
+                       cure}});
+  const int last = int(table.columns.size()) - 1, counts = place_of_counts(table.columns);
+  if (counts < 0)
+    throw InputError({{{file, 1, 1},
+                       fmt::format("there are no columns particles and bonds behind the keys, but {}",
+                                   name_list(table.columns)),
+                       cure}});
+  const auto name = [&](int column) { return table.columns[std::size_t(column)]; };
   table.status = csv.texts(last);
-  int column = 0;
-  for (; column < last && (column == 0 || is_key(table.columns[std::size_t(column)])); ++column) {
-    SweepKey key{table.columns[std::size_t(column)], "", csv.texts(column), {}, "", 0};
+  for (int column = 0; column < counts; ++column) {
+    SweepKey key{name(column), "", csv.texts(column), {}, "", 0};
     for (std::string& text : key.texts) text = without_quotes(text);
     key.distinct = std::set<std::string>(key.texts.begin(), key.texts.end()).size();
     find_numbers(key);
     table.keys.push_back(std::move(key));
   }
   name_shortly(table.keys);
-  for (; column < last; ++column)
-    table.outputs.push_back({table.columns[std::size_t(column)], csv.numbers(column)});
+  table.counts = {SweepColumn{"number of particles", csv.numbers(counts)},
+                  SweepColumn{"number of bonds", csv.numbers(counts + 1)}};
+  for (int column = counts + 2; column < last; ++column)
+    table.outputs.push_back({name(column), csv.numbers(column)});
   return table;
 }
 

@@ -19,14 +19,15 @@ struct SweepKey {
   bool is_number() const { return !numbers.empty(); }
 };
 
-struct SweepOutput {
+struct SweepColumn {
   std::string name;
   std::vector<double> values;  ///< NaN where the point failed
 };
 
 struct SweepTable {
   std::vector<SweepKey> keys;
-  std::vector<SweepOutput> outputs;
+  std::vector<SweepColumn> counts;  ///< of particles and of bonds
+  std::vector<SweepColumn> outputs;
   std::vector<std::string> status;   ///< "done", or why not
   std::vector<std::string> columns;  ///< as in the file
 

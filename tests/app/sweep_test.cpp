@@ -45,14 +45,29 @@ TEST(Sweep, GridRunsOverAllCombinationsTheLastKeyFastest) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto lines = lines_of(ended.out);
   ASSERT_EQ(lines.size(), 5u) << ended.out;
-  EXPECT_EQ(lines[0], "bonds.0.young,outputs.0.scale,tip,status");
-  const std::vector<std::pair<std::string, double>> expected{
-      {"200e9,1e3", tip}, {"200e9,-1e3", -tip}, {"50e9,1e3", 4 * tip}, {"50e9,-1e3", -4 * tip}};
+  EXPECT_EQ(lines[0], "bonds.0.young,outputs.0.scale,particles,bonds,tip,status");
+  const std::vector<std::pair<std::string, double>> expected{{"200e9,1e3,11,10", tip},
+                                                             {"200e9,-1e3,11,10", -tip},
+                                                             {"50e9,1e3,11,10", 4 * tip},
+                                                             {"50e9,-1e3,11,10", -4 * tip}};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const auto [point, value] = solved(lines[i + 1]);
     EXPECT_EQ(point, expected[i].first);
     EXPECT_NEAR(value, expected[i].second, 1e-13 * std::abs(expected[i].second));
   }
+}
+
+TEST(Sweep, TellsHowManyParticlesAndBondsEachPointHas) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("case.toml", cantilever());
+  const Ended ended =
+      run_program({"sweep", file, "--vary", "particles.0.line.count:bonds.0.gap=11:0,12:0,11:0.5"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto lines = lines_of(ended.out);
+  ASSERT_EQ(lines.size(), 4u) << ended.out;
+  EXPECT_EQ(solved(lines[1]).first, "11,0,11,10");
+  EXPECT_EQ(solved(lines[2]).first, "12,0,12,11");
+  EXPECT_EQ(solved(lines[3]).first, "11,0.5,11,19") << "neighbours, and theirs";
 }
 
 TEST(Sweep, ZippedKeysChangeTogetherAndValuesMayHoldCommas) {
@@ -63,9 +78,9 @@ TEST(Sweep, ZippedKeysChangeTogetherAndValuesMayHoldCommas) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto lines = lines_of(ended.out);
   ASSERT_EQ(lines.size(), 3u) << ended.out;
-  EXPECT_EQ(lines[0], "loads.0.force,outputs.0.of,tip,status");
-  EXPECT_EQ(solved(lines[1]).first, "\"[0, -1e5, 0]\",uy");
-  EXPECT_EQ(solved(lines[2]).first, "\"[0, 0, -1e5]\",uz");
+  EXPECT_EQ(lines[0], "loads.0.force,outputs.0.of,particles,bonds,tip,status");
+  EXPECT_EQ(solved(lines[1]).first, "\"[0, -1e5, 0]\",uy,11,10");
+  EXPECT_EQ(solved(lines[2]).first, "\"[0, 0, -1e5]\",uz,11,10");
   EXPECT_NEAR(solved(lines[1]).second, tip, 1e-12);
   EXPECT_NEAR(solved(lines[2]).second, tip, 1e-12);
 }
@@ -79,9 +94,9 @@ TEST(Sweep, GoesOnAfterFailuresAndEndsWithTheWorst) {
   EXPECT_THAT(everything_in(out), UnorderedElementsAre("sweep.csv"));
   const auto lines = lines_of(read_text(scratch / "out/sweep.csv"));
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[1], "\"[\"\"x\"\"]\",,mechanism");
+  EXPECT_EQ(lines[1], "\"[\"\"x\"\"]\",11,10,,mechanism");
   EXPECT_NEAR(solved(lines[2]).second, tip, 1e-12);
-  EXPECT_EQ(lines[3], "none,,invalid-input");
+  EXPECT_EQ(lines[3], "none,,,,invalid-input");
 }
 
 TEST(Sweep, InputWrongEverywhereWritesNothing) {

@@ -112,7 +112,7 @@ TEST(ResultFolder, OneFolderMayHaveSeveralKinds) {
   const ScratchFolder folder;
   const std::string json = R"({"bondstatic": "0.1.0", "title": "</script><b>"})";
   for (const char* name : {"summary.json", "certificate.json", "calibration.json"}) folder.write(name, json);
-  folder.write("sweep.csv", "bonds.0.law,tip,status\nparallel,1,done\n");
+  folder.write("sweep.csv", "bonds.0.law,particles,bonds,tip,status\nparallel,2,1,1,done\n");
   folder.write("case.resolved.toml", "title = \"solved\"\n");
   folder.write("calibrated.toml", "title = \"calibrated\"\n");
   std::vector<std::string> kinds, cases;

@@ -36,6 +36,8 @@ export interface Series {
   high: Num[];
   /** what the others are compared with */
   reference: boolean;
+  /** whose colour and marker it has, so that plots agree; null: its own in the plot */
+  place: number | null;
 }
 
 export interface Mark {
@@ -52,6 +54,34 @@ export interface Plot {
   series: Series[];
   marks: Mark[];
   note: string;
+}
+
+export interface SweepColumn {
+  name: string;
+  unit: string;
+  values: Num[];
+  /** where values count names */
+  categories: string[];
+}
+
+export interface Abscissa {
+  column: number;
+  curves: number;
+  log: boolean;
+}
+
+export interface Ordinate {
+  title: string;
+  column: number;
+  log: boolean;
+}
+
+/** Row by row; of the abscissae the first is shown first. */
+export interface Sweep {
+  columns: SweepColumn[];
+  curves: { names: string[]; of_row: number[] }[];
+  abscissae: Abscissa[];
+  ordinates: Ordinate[];
 }
 
 export interface Column {
@@ -96,6 +126,7 @@ export interface Run {
   warnings: string[];
   tables: Table[];
   plots: Plot[];
+  sweep: Sweep | null;
   scene: Scene | null;
   resolved_case: string;
 }

@@ -7,7 +7,7 @@ interface Printed {
   end: () => void;
 }
 
-const parts: Printed[] = [];
+const parts = new Set<Printed>();
 let printing = false;
 
 function start(): void {
@@ -24,8 +24,9 @@ function end(): void {
   for (const part of parts) part.end();
 }
 
-export function whenPrinted(part: Printed): void {
-  parts.push(part);
+export function whenPrinted(part: Printed, gone?: AbortSignal): void {
+  parts.add(part);
+  gone?.addEventListener('abort', () => parts.delete(part));
 }
 
 export function watchPrint(): void {

@@ -3,6 +3,7 @@ import { showScene } from './scene/view';
 import { el } from './dom';
 import { count } from './format';
 import { plotOf } from './plots/plot';
+import { sweepOf } from './plots/sweep';
 import { tellProblem } from './problems';
 import { tableOf } from './table';
 import type { Run } from './data';
@@ -65,7 +66,11 @@ function results(run: Run): HTMLElement | undefined {
 }
 
 function plots(run: Run): HTMLElement | undefined {
-  return run.plots.length === 0 ? undefined : el('div', { class: 'plots' }, ...run.plots.map(plotOf));
+  const parts: HTMLElement[] = [];
+  if (run.plots.length > 0)
+    parts.push(el('div', { class: 'plots' }, ...run.plots.map((plot) => plotOf(plot))));
+  if (run.sweep) parts.push(sweepOf(run.sweep));
+  return parts.length === 0 ? undefined : el('div', { class: 'stack' }, ...parts);
 }
 
 function tables(run: Run): HTMLElement | undefined {

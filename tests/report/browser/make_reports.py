@@ -2,9 +2,14 @@
 
     /usr/bin/python3 make_reports.py PROGRAM CASES OUT
 
+<<<<<<< HEAD
 OUT gets press.html (a packing), beam.html (a crack), moving.html (two load cases on their way to rest), all.html (a run of every
 kind side by side), hostile.html (a title that would be a script) and large.html (106,856 particles, 410,000 bonds), and beside
 them the folders of results that they show.
+=======
+OUT gets press.html (a packing), beam.html (a crack), all.html (a run of every kind side by side), hostile.html (a title
+that would be a script), sweeps.html ([Chen2022] Fig. 12 and 10) and large.html (106,856 particles, 410,000 bonds), and beside them the folders of results that they show.
+>>>>>>> ba9d799 (Sweeps are drawn over what the reader chooses: number of bonds, keys, outputs, inverse or log; sweep.csv tells particles and bonds)
 """
 import pathlib
 import shutil
@@ -73,6 +78,9 @@ def make(program, cases, out):
     results_of("sweep", "sweep", cases / "chen2022/case3.toml", "--vary",
                "bonds.0.law=parallel,euler-bernoulli,timoshenko", "--vary",
                "particles.0.line.count:bonds.0.gap=2:3.6,3:1.6,5:0.6,11:0")
+    results_of("shortened", "sweep", cases / "chen2022/case2.toml", "--vary",
+               "bonds.0.law=timoshenko,euler-bernoulli,parallel", "--vary",
+               "particles.0.line.count=11,10,9,8,7,6,5,4,3,2")
     results_of("compare", "compare", cases / "lammps-bpm/case.toml", cases / "lammps-bpm/dump.final")
     results_of("calibrate", "calibrate", cases / "calibration/yade.toml")
     results_of("hostile", "solve", cantilever, "--set", f"title={HOSTILE}")
@@ -83,6 +91,7 @@ def make(program, cases, out):
     report("beam.html", "beam")
     report("moving.html", "moving")
     report("all.html", "press", "relax", "check", "compare", "sweep", "beam", "calibrate")
+    report("sweeps.html", "sweep", "shortened")
     report("hostile.html", "hostile")
     report("large.html", "large")
 

@@ -67,7 +67,7 @@ for (const name of ['press.html', 'beam.html', 'all.html', 'hostile.html'])
       for (const [index, run] of data.runs.entries())
         assert.deepEqual(
           await plotsOf(opened.page, index).locator('.plot-title').allTextContents(),
-          run.plots.map(({ title }) => title),
+          [...run.plots, ...(run.sweep?.ordinates ?? [])].map(({ title }) => title),
         );
     });
 

@@ -1,29 +1,11 @@
 /** Plots: the values behind them, and how they answer. */
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, describe, test } from 'node:test';
 import { openReport, report } from './page.mjs';
 import { parsedCsv, pngSize } from './parsed.mjs';
-import { inSight, plotsOf, rounded, told } from './shown.mjs';
-
-async function downloaded(page, button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), button.click()]);
-  return { name: download.suggestedFilename(), content: await readFile(await download.path()) };
-}
+import { downloaded, hover, inSight, plotsOf, readRows, rounded, told } from './shown.mjs';
 
 const picture = (figure) => figure.locator('.uplot canvas').evaluate((canvas) => canvas.toDataURL());
-
-/** Moves the mouse to a place of the plotting area, given in fractions of it. */
-async function hover(page, figure, x, y) {
-  const area = await figure.locator('.u-over').boundingBox();
-  await page.mouse.move(area.x + x * area.width - 1, area.y + y * area.height);
-  await page.mouse.move(area.x + x * area.width, area.y + y * area.height);
-}
-
-const readRows = (figure) =>
-  figure
-    .locator('.readout:not([hidden]) tbody tr')
-    .evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
 
 describe('plots of a fracture', () => {
   let page, close, problems, run;

@@ -1,4 +1,5 @@
 /** Where a report shows what. */
+import { readFile } from 'node:fs/promises';
 
 /** What the page was told. */
 export function told(page) {
@@ -15,3 +16,20 @@ export async function inSight(figure) {
   await figure.scrollIntoViewIfNeeded();
   await figure.locator('canvas').first().waitFor();
 }
+
+export async function downloaded(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), button.click()]);
+  return { name: download.suggestedFilename(), content: await readFile(await download.path()) };
+}
+
+/** Moves the mouse to a place of the plotting area, given in fractions of it. */
+export async function hover(page, figure, x, y) {
+  const area = await figure.locator('.u-over').boundingBox();
+  await page.mouse.move(area.x + x * area.width - 1, area.y + y * area.height);
+  await page.mouse.move(area.x + x * area.width, area.y + y * area.height);
+}
+
+export const readRows = (figure) =>
+  figure
+    .locator('.readout:not([hidden]) tbody tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));

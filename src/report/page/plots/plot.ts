@@ -17,7 +17,7 @@ interface Drawing {
   setVisible(index: number, on: boolean): void;
 }
 
-function drawingOf(plot: Plot): Drawing | undefined {
+function drawingOf(plot: Plot, gone?: AbortSignal): Drawing | undefined {
   const styles = stylesOf(plot.series);
   if (plot.kind === 'rose') {
     const rose = rosePlot(plot, styles);
@@ -30,7 +30,7 @@ function drawingOf(plot: Plot): Drawing | undefined {
       }
     );
   }
-  const xy = xyPlot(plot, styles);
+  const xy = xyPlot(plot, styles, gone);
   return (
     xy && {
       ...xy,
@@ -44,8 +44,9 @@ function drawingOf(plot: Plot): Drawing | undefined {
   );
 }
 
-export function plotOf(plot: Plot): HTMLElement {
-  const drawing = drawingOf(plot);
+/** `gone`: when another plot has taken its place. */
+export function plotOf(plot: Plot, gone?: AbortSignal): HTMLElement {
+  const drawing = drawingOf(plot, gone);
   const tools = el(
     'span',
     { class: 'tools' },

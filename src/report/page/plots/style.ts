@@ -30,7 +30,7 @@ export function stylesOf(series: Series[]): Style[] {
   let own = 0;
   let references = 0;
   return series.map((one): Style => {
-    const i = one.reference ? references++ : own++;
+    const i = one.reference ? references++ : (one.place ?? own++);
     const marker = markers[i % markers.length] as Marker;
     if (one.reference)
       return { colour: '--reference', dash: referenceDashes[i % 3] as number[], marker, hollow: true };

@@ -97,8 +97,8 @@ function zoomTo(u: uPlot, asked: Asked): void {
   u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
 }
 
-/** Undefined where there is nothing to be drawn. */
-export function xyPlot(plot: Plot, styles: Style[]): Interactive | undefined {
+/** Undefined where there is nothing to be drawn. `gone`: when nobody needs it any more. */
+export function xyPlot(plot: Plot, styles: Style[], gone?: AbortSignal): Interactive | undefined {
   const visible = plot.series.map(() => true);
   const seen = (): Plot['series'] => plot.series.filter((_, i) => visible[i]);
   const view = fullView(plot, seen());
@@ -152,10 +152,11 @@ export function xyPlot(plot: Plot, styles: Style[]): Interactive | undefined {
   };
   new ResizeObserver(fit).observe(element);
   walkByKeys(element, () => chart);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => chart && redraw(chart, asked));
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  dark.addEventListener('change', () => chart && redraw(chart, asked), { signal: gone });
 
   let printed: HTMLCanvasElement | undefined;
-  whenPrinted({
+  const paperPicture = {
     start: () => {
       if (element.clientWidth === 0) return;
       printed = pictureOf(asked, paper.width, paper.height + forNames, 3);
@@ -166,7 +167,8 @@ export function xyPlot(plot: Plot, styles: Style[]): Interactive | undefined {
       printed?.remove();
       printed = undefined;
     },
-  });
+  };
+  whenPrinted(paperPicture, gone);
   return {
     element,
     asked,
