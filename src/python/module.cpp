@@ -19,4 +19,5 @@ PYBIND11_MODULE(_core, module) {
   add_compare(module);
   add_analysis(module);
   add_calibrate(module);
+  add_report(module);
 }

@@ -22,5 +22,6 @@ void add_fracture(py::module_& module);
 void add_compare(py::module_& module);
 void add_analysis(py::module_& module);
 void add_calibrate(py::module_& module);
+void add_report(py::module_& module);
 
 }  // namespace bondstatic

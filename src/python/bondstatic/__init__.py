@@ -11,8 +11,8 @@
 Any one consistent system of units will do; texts with a unit, "50 GPa", are SI. Arrays of results are read-only views
 of the library's own memory, which they keep. Errors are exceptions with the text that the command line prints.
 """
-from ._core import (Bonds, BrokenBonds, Calibration, Comparison, FractureEvents, Law, Output, SeparatedBody, State,
-                    Strength, laws, solvers, strengths, version)
+from ._core import (Bonds, BrokenBonds, Calibration, Comparison, FractureEvents, Law, Output, Report, SeparatedBody,
+                    State, Strength, laws, solvers, strengths, version)
 from .calibration import calibrate
 from .comparison import compare
 from .errors import (AccuracyError, BondstaticWarning, Error, Fault, InputError, Mechanism, MechanismError,
@@ -22,12 +22,13 @@ from .matrices import System, stiffness, system
 from .model import Model
 from .reading import read
 from .relaxation import Relaxation, relax
+from .reporting import report
 from .solution import Analysis, Solution, solve
 
 __version__ = version()
 
 __all__ = ["AccuracyError", "Analysis", "Bonds", "BondstaticWarning", "BrokenBonds", "Calibration", "Comparison",
            "Error", "Fault", "Fracture", "FractureEvents", "InputError", "Law", "Mechanism", "MechanismError", "Model",
-           "OutOfMemoryError", "Output", "Relaxation", "SeparatedBody", "Solution", "State", "Strength", "System",
-           "calibrate", "compare", "fracture", "laws", "read", "relax", "solve", "solvers", "stiffness", "strengths",
-           "system", "version"]
+           "OutOfMemoryError", "Output", "Relaxation", "Report", "SeparatedBody", "Solution", "State", "Strength",
+           "System", "calibrate", "compare", "fracture", "laws", "read", "relax", "report", "solve", "solvers",
+           "stiffness", "strengths", "system", "version"]
