@@ -1,29 +1,24 @@
-// A libFuzzer target: the first byte chooses a reader of foreign files, the rest is the file. Whatever a file
-// holds, a reader must answer a sound result or faults that a user can act on; never both, never neither.
+// A libFuzzer target: the first byte chooses a reader of foreign files, or of results that may have been
+// edited, the rest is the file. Whatever a file holds, a reader must answer a sound result or faults that a
+// user can act on; never both, never neither.
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <unordered_set>
 
+#include "demand.hpp"
 #include "formats/lammps/data.hpp"
 #include "formats/lammps/dump.hpp"
 #include "formats/lammps/local.hpp"
 #include "formats/lammps/script.hpp"
+#include "results.hpp"
 
 namespace bondstatic {
 namespace {
 
 const Place named_at{"case.toml", 1, 1};
-
-void demand(bool sound, const char* what) {
-  if (sound) return;
-  std::fprintf(stderr, "not sound: %s\n", what);
-  std::abort();
-}
 
 /// Whether bonds join two particles, and which, is not looked at before all files are joined
 /// (join_models.hpp).
@@ -112,6 +107,10 @@ const std::vector<Reader>& readers() {
       }),
       demanding([](const auto& path, auto& faults) { return dump_steps(path, named_at, faults); }),
       demanding([](const auto& path, auto& faults) { return read_lammps_script(path, named_at, faults); }),
+      read_whole_grid,
+      read_whole_table,
+      read_whole_sweep,
+      read_whole_json,
   };
   return all;
 }
