@@ -82,7 +82,7 @@ Comparison compare(const Model& model, const State& statics, Index load_case, co
   try {
     if (!run.has_rotations) balance_rotations(model, network, boundary, solve, motion);
   } catch (const MechanismError&) {
-    out.notes.push_back(
+    out.notes.emplace_back(
         "The run tells no rotations and the bonds do not balance them: nothing is explained.");
     judge(out, {});
     return out;

@@ -117,11 +117,11 @@ void put_worst(PageRun& run, const JsonValue& c, const PageUnits& units) {
       const std::vector<JsonValue> motion = one[of].items();
       for (std::size_t i = 0; i < 3; ++i) {
         both.push_back(i < motion.size() ? motion[i].number_or_nan() : std::nan(""));
-        row.push_back(std::isnan(both.back()) ? PageField() : PageField(both.back()));
+        row.push_back(field(both.back()));
       }
     }
     const double apart = std::hypot(both[3] - both[0], both[4] - both[1], both[5] - both[2]);
-    row.push_back(std::isnan(apart) ? PageField() : PageField(apart));
+    row.push_back(field(apart));
     table.rows.push_back(std::move(row));
   }
   put_table(run.tables, std::move(table));

@@ -29,17 +29,13 @@ std::vector<FoundOutput> outputs_in(const JsonValue& summary) {
   return outputs;
 }
 
-PageField field_of(double value) {
-  return std::isnan(value) ? PageField() : PageField(value);
-}
-
 void put_table_of(PageRun& run, const std::vector<FoundOutput>& outputs, bool judged) {
   PageTable table{
       "Outputs", {"output", "value", "expected", "relative error", "tolerance", "within", "source"}, {}};
   for (const FoundOutput& one : outputs) {
     const bool compared = judged && !std::isnan(one.error) && !std::isnan(one.tolerance);
-    table.rows.push_back({one.name, field_of(one.value), field_of(one.expected), field_of(one.error),
-                          judged ? field_of(one.tolerance) : PageField(),
+    table.rows.push_back({one.name, field(one.value), field(one.expected), field(one.error),
+                          judged ? field(one.tolerance) : PageField(),
                           compared ? PageField(one.error <= one.tolerance ? "yes" : "no") : PageField(),
                           one.source.empty() ? PageField() : PageField(one.source)});
   }

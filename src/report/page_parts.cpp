@@ -54,6 +54,10 @@ void Facts::put_into(std::vector<PageTable>& tables) && {
   if (!table_.rows.empty()) tables.push_back(std::move(table_));
 }
 
+PageField field(double value) {
+  return std::isnan(value) ? PageField() : PageField(value);
+}
+
 PageField field(const std::optional<double>& value) {
   return value ? PageField(*value) : PageField();
 }

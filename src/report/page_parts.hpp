@@ -37,6 +37,7 @@ class Facts {
   PageTable table_;
 };
 
+PageField field(double value);  ///< nothing where it is NaN
 PageField field(const std::optional<double>& value);
 PageField field(const std::optional<std::string>& value);
 

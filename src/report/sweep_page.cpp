@@ -107,8 +107,7 @@ void put_tables(PageRun& run, const SweepTable& sweep) {
     if (!sweep.done(row)) fields.emplace_back(sweep.status[row]);
     if (sweep.done(row))
       for (const auto* columns : {&sweep.counts, &sweep.outputs})
-        for (const SweepColumn& one : *columns)
-          fields.push_back(std::isnan(one.values[row]) ? PageField() : PageField(one.values[row]));
+        for (const SweepColumn& one : *columns) fields.push_back(field(one.values[row]));
     table.rows.push_back(std::move(fields));
   }
   for (PageTable* table : {&failed, &points})

@@ -109,7 +109,7 @@ void write_vtu_model(const ExportInput& input, FileSet& files, ExportNotes& note
   for (const Column& column : points) of_points.push_back(rows_of(column, particle));
   const auto own = Index(model.particles.size());
   if (input.relaxed)
-    notes.remarks.push_back(
+    notes.remarks.emplace_back(
         "Points stand at the relaxed positions; displacements are small, scale them with the filter Warp By "
         "Vector on a model exported without --relaxed.");
   write_vtu(create(files, notes, "model.vtu"),
