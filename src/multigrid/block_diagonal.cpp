@@ -16,7 +16,9 @@ ALWAYS_INLINE void multiply(const InversePack<Scalar>& pack, const Scalar* r, Sc
     const W from[6] = {in.linear.x, in.linear.y, in.linear.z, in.angular.x, in.angular.y, in.angular.z};
     W to[6] = {};
     int entry = 0;
+#pragma GCC unroll 6  // or `to` lies in memory
     for (int i = 0; i < 6; ++i)
+#pragma GCC unroll 6
       for (int j = i; j < 6; ++j, ++entry) {
         const W c = load<Scalar>(pack.c[entry] + lane);
         to[i] += c * from[j];

@@ -39,7 +39,9 @@ ALWAYS_INLINE Ends<Scalar> forces(const FullPack<Stored>& pack, int lane, const 
   const W delta[6] = {d.x, d.y, d.z, r.x, r.y, r.z};
   W q[6] = {};
   int entry = 0;
+#pragma GCC unroll 6  // or q lies in memory
   for (int i = 0; i < 6; ++i)
+#pragma GCC unroll 6
     for (int j = i; j < 6; ++j, ++entry) {
       const W c = load<Scalar>(pack.c[entry] + lane);
       q[i] += c * delta[j];
