@@ -20,6 +20,20 @@ export async function opened(name, size) {
   return one;
 }
 
+/** Plays to the end: the numbers of the states that were shown. None is missed, however short it is to be seen. */
+export async function played(page) {
+  const shown = await page.evaluateHandle(() => {
+    const label = document.querySelector('.scene-state');
+    const numbers = [];
+    new MutationObserver(() => numbers.push(Number.parseInt(label.textContent, 10)))
+      .observe(label, { childList: true, characterData: true, subtree: true });
+    return numbers;
+  });
+  await page.getByRole('button', { name: 'Play the states' }).click();
+  await page.locator('button[aria-label="Play the states"][aria-pressed="false"]').waitFor({ timeout: 120_000 });
+  return shown.jsonValue();
+}
+
 /** Waits until the caption says so, and the picture shows it. */
 export async function says(page, text) {
   await page.locator('.scene-caption').filter({ hasText: text }).waitFor();
