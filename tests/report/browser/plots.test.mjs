@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { openReport, report } from './page.mjs';
 import { parsedCsv, pngSize } from './parsed.mjs';
+import { still } from './scene_page.mjs';
 import { downloaded, hover, inSight, plotsOf, readRows, rounded, told } from './shown.mjs';
 
 const picture = (figure) => figure.locator('.uplot canvas').evaluate((canvas) => canvas.toDataURL());
@@ -11,6 +12,7 @@ describe('plots of a fracture', () => {
   let page, close, problems, run;
   before(async () => {
     ({ page, close, problems } = await openReport(report('beam.html')));
+    await still(page);
     run = (await told(page)).runs[0];
   });
   after(() => close());

@@ -17,8 +17,15 @@ export async function inSight(figure) {
   await figure.locator('canvas').first().waitFor();
 }
 
+/** A browser short of processor time may drop a download; a reader would ask again. */
 export async function downloaded(page, button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), button.click()]);
+  let download = null;
+  for (let asked = 0; !download && asked < 4; ++asked)
+    [download] = await Promise.all([
+      page.waitForEvent('download', { timeout: 15_000 }).catch(() => null),
+      button.press('Enter'),
+    ]);
+  if (!download) throw new Error('four times asked, and no download');
   return { name: download.suggestedFilename(), content: await readFile(await download.path()) };
 }
 
