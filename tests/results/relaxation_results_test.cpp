@@ -8,6 +8,7 @@
 #include "bondstatic/error.hpp"
 #include "bondstatic/results.hpp"
 #include "io/scratch_folder.hpp"
+#include "results/given_up.hpp"
 #include "results/hand_made.hpp"
 
 namespace bondstatic {
@@ -160,24 +161,11 @@ TEST(RelaxationResults, GivenUpHalfWayLeaveTheFolderAsItWas) {
   fs::create_directory(scratch / "out");
   scratch.write("out/relax.checkpoint", "half way");
   const Written run({"push", "pull"});
-  struct GivenUp {};
-  int calls = 0;
-  const auto count = [&](int last) {
-    return [&calls, last] {
-      if (++calls == last) throw GivenUp();
-    };
-  };
-  write_relaxation(run.model, run.info, run.relaxation, run.outputs, (scratch / "whole").string(), count(-1));
-  const int all = calls;
-  ASSERT_GT(all, 8);
-  for (int last = 1; last <= all; ++last) {
-    calls = 0;
-    EXPECT_THROW(write_relaxation(run.model, run.info, run.relaxation, run.outputs,
-                                  (scratch / "out").string(), count(last)),
-                 GivenUp);
-    EXPECT_THAT(everything_in(scratch / "out"), ElementsAre("relax.checkpoint"));
-    EXPECT_EQ(read_text(scratch / "out/relax.checkpoint"), "half way");
-  }
+  test::expect_all_or_nothing(scratch, 9, [&](const fs::path& folder, const auto& checkpoint) {
+    write_relaxation(run.model, run.info, run.relaxation, run.outputs, folder.string(), checkpoint);
+  });
+  EXPECT_THAT(everything_in(scratch / "out"), ElementsAre("relax.checkpoint"));
+  EXPECT_EQ(read_text(scratch / "out/relax.checkpoint"), "half way");
 }
 
 TEST(RelaxationResults, DoNotReplaceFilesOfTheUser) {

@@ -17,7 +17,7 @@ export async function inSight(figure) {
   await figure.locator('canvas').first().waitFor();
 }
 
-/** A browser short of processor time may drop a download; a reader would ask again. */
+/** Beside five busy processes a first download was seen not to come; why is not known. A reader would ask again. */
 export async function downloaded(page, button) {
   let download = null;
   for (let asked = 0; !download && asked < 4; ++asked)
