@@ -41,8 +41,6 @@ void Iterate::begin_from(const BodyVectors<Extended>& start, const FreeDofs& dof
 Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
                                        const Boundary& boundary, const FreeDofs& dofs, bool iterative,
                                        int threads, Ranks* ranks) {
-  // The first correction of an iterative solver is good to six digits: what it leaves is known well enough
-  // in double, in a tenth of the time.
   const double length = network.rotation_length;
   const Index own = dofs.first[std::size_t(network.own())];
   if (iterative && steps == 0 && begun_from_motion) {
@@ -53,13 +51,8 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Inciden
         least_residual,
         largest_of_all(ranks, to_unknowns(at_first, dofs, length).head(own).lpNorm<Eigen::Infinity>()));
   }
-  Eigen::VectorXd r =
-      iterative && steps == 1 && !begun_from_motion
-          ? to_unknowns(bondstatic::residual<double>(network, incidence, boundary, converted<double>(motion),
-                                                     threads),
-                        dofs, length)
-          : to_unknowns(bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs,
-                        length);
+  Eigen::VectorXd r = to_unknowns(
+      bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs, length);
   const double before = residual;
   residual = largest_of_all(ranks, r.head(own).lpNorm<Eigen::Infinity>());
   if (steps == 0) first_residual = std::max(residual, least_residual);
@@ -109,8 +102,7 @@ void Iterate::judge_iterative(const SolveReport& last) {
         "bodies "
         "that hang by bonds many decades softer than the rest, and for long slender parts",
         correction / size, steps, last.iterations, last.reduction));
-  // The second round is left out of account: its residual was formed in double.
-  const bool settled = steps > (begun_from_motion ? 1 : 2) && contraction < 0.5;
+  const bool settled = steps > 1 && contraction < 0.5;
   done = residual == 0 || correction <= extended_rounding * size ||
          (settled && contraction * correction <= last_digit * size &&
           force_contraction * residual <= force_rounding * first_residual);

@@ -20,7 +20,7 @@ BodyVectors<Scalar> residual(const BondNetwork& network, const Incidence& incide
   if (boundary.strain.isZero(0) && std::all_of(motion.begin(), motion.end(), at_rest)) return r;
   BodyVectors<Scalar> carried;
   if constexpr (std::is_same_v<Scalar, Extended>)
-    carried = carried_forces(network, incidence, motion, boundary.strain, threads);
+    carried = carried_forces(network, motion, boundary.strain, threads);
   else
     carried = gather_forces<Scalar>(
         network, incidence, link_resultants<Scalar>(network, motion, threads, boundary.strain), threads);

@@ -227,6 +227,7 @@ StaticSolution StaticRun::solve(bool keep) {
       effective_stiffness(model_, network_, boundaries_, groups_.front().held.left_out, solution);
 
   // What several groups of load cases leave out is said once.
+  for (std::vector<Index>& body : report.dropped) std::sort(body.begin(), body.end());
   std::sort(report.dropped.begin(), report.dropped.end());
   report.dropped.erase(std::unique(report.dropped.begin(), report.dropped.end()), report.dropped.end());
   report.peak_bytes = largest_of_all(ranks_, peak_resident_memory());

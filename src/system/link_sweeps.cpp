@@ -1,5 +1,7 @@
 #include "system/link_sweeps.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 
 #include "system/extended_lanes.hpp"
@@ -189,38 +191,51 @@ WIDE_AS_THE_MACHINE void products(const Link* first, Index links, const Vector6T
 // of them.
 constexpr Index block = 256, links_worth_threads = 16384;
 
+// What so many links do to their ends stays in the cache until it is added up.
+constexpr Index stretch = 1 << 15;
+
+// Which bodies a thread adds up: all links at a body in their order, so that sums do not depend on threads.
+class Turns {
+ public:
+  bool own(Index body) const { return body / beside % threads_ == thread_; }
+
+ private:
+  static constexpr Index beside = 64;  // bodies; near ones are needed at the same time
+  Index threads_ = omp_get_num_threads(), thread_ = omp_get_thread_num();
+};
+
 const double* columns_of(const Matrix3& strain) {
   return strain.isZero(0) ? nullptr : strain.data();
 }
 
 }  // namespace
 
-BodyVectors<Extended> carried_forces(const BondNetwork& network, const Incidence& incidence,
-                                     const BodyVectors<Extended>& motion, const Matrix3& strain,
-                                     int threads) {
+BodyVectors<Extended> carried_forces(const BondNetwork& network, const BodyVectors<Extended>& motion,
+                                     const Matrix3& strain, int threads) {
   const Index count = Index(network.links.size());
-  std::vector<EndForces> ends(network.links.size());
-  BodyVectors<Extended> carried(std::size_t(network.bodies));
+  BodyVectors<Extended> carried(std::size_t(network.bodies), Vector6T<Extended>::Zero());
+  std::vector<EndForces> ends(std::size_t(std::min(stretch, count)));
 #pragma omp parallel num_threads(threads) if (threads > 1 && count > links_worth_threads)
-  {
+  for (Index first = 0; first < count; first += stretch) {
+    const Index last = std::min(count, first + stretch);
+    const Link* const links = network.links.data() + first;
 #pragma omp for schedule(static)
-    for (Index k = 0; k < count; k += block)
-      end_forces(network.links.data() + k, std::min(block, count - k), motion.data(), columns_of(strain),
-                 ends.data() + k);
-#pragma omp for schedule(static)
-    for (Index p = 0; p < network.bodies; ++p) {
-      Vector6T<Extended> sum = Vector6T<Extended>::Zero();
-      for (const Index k : incidence.of(p)) {
-        const EndForces& end = ends[std::size_t(k)];
-        const bool at_a = network.links[std::size_t(k)].a == p;
-        const auto& moment = at_a ? end.moment_a : end.moment_b;
-        for (int i = 0; i < 3; ++i) {
-          sum[i] += at_a ? -end.force[i] : end.force[i];
-          sum[i + 3] -= moment[i];
-        }
+    for (Index k = first; k < last; k += block)
+      end_forces(links + (k - first), std::min(block, last - k), motion.data(), columns_of(strain),
+                 ends.data() + (k - first));
+    const Turns turns;
+    for (Index k = 0; k < last - first; ++k) {
+      const EndForces& end = ends[std::size_t(k)];
+      if (turns.own(links[k].a)) {
+        auto& sum = carried[std::size_t(links[k].a)];
+        for (int i = 0; i < 3; ++i) sum[i] -= end.force[i], sum[i + 3] -= end.moment_a[i];
       }
-      carried[std::size_t(p)] = sum;
+      if (turns.own(links[k].b)) {
+        auto& sum = carried[std::size_t(links[k].b)];
+        for (int i = 0; i < 3; ++i) sum[i] += end.force[i], sum[i + 3] -= end.moment_b[i];
+      }
     }
+#pragma omp barrier
   }
   return carried;
 }
