@@ -51,19 +51,41 @@ ALWAYS_INLINE Ends<Scalar> forces(const FullPack<Stored>& pack, int lane, const 
   return {{none - f, none - m - cross(arm_a, f)}, {f, m + cross(arm_b, f)}};
 }
 
+// The machine fetches packs ahead of their use by itself, but not beyond the end of a page.
+template <class Pack>
+ALWAYS_INLINE void fetch_next_page(const Pack& pack) {
+  constexpr std::size_t page = 4096, line = 64;
+  for (std::size_t at = 0; at < sizeof(Pack); at += line)
+    __builtin_prefetch(reinterpret_cast<const char*>(&pack) + page + at);
+}
+
+// Rows of other blocks lie anywhere.
+template <class Scalar, class Pack>
+ALWAYS_INLINE void fetch_other_ends(const std::vector<Pack>& packs, std::size_t k, const Scalar* u) {
+  constexpr std::size_t ahead = 4;
+  if (k + ahead >= packs.size()) return;
+  for (const std::uint32_t b : packs[k + ahead].b) __builtin_prefetch(u + stride * std::size_t(b));
+}
+
 template <class Scalar, class Pack>
 ALWAYS_INLINE void product(const Block<Pack>& block, const Scalar* u, Scalar* y) {
-  for (const Pack& pack : block.inside)
+  for (const Pack& pack : block.inside) {
+    fetch_next_page(pack);
     for (int lane = 0; lane < pack_size; lane += lanes<Scalar>) {
       const Ends<Scalar> ends = forces(pack, lane, gather(u, pack.a + lane), gather(u, pack.b + lane));
       scatter_add(ends.a, pack.a + lane, std::size_t(block.first), y);
       scatter_add(ends.b, pack.b + lane, std::size_t(block.first), y);
     }
-  for (const Pack& pack : block.across)
+  }
+  for (std::size_t k = 0; k < block.across.size(); ++k) {
+    const Pack& pack = block.across[k];
+    fetch_next_page(pack);
+    fetch_other_ends(block.across, k, u);
     for (int lane = 0; lane < pack_size; lane += lanes<Scalar>) {
       const Ends<Scalar> ends = forces(pack, lane, gather(u, pack.a + lane), gather(u, pack.b + lane));
       scatter_add(ends.a, pack.a + lane, std::size_t(block.first), y);
     }
+  }
 }
 
 }  // namespace
