@@ -121,6 +121,13 @@ class BondAdder {
     return true;
   }
 
+  /// Begins to bring what such a bond needs, which lies anywhere in memory.
+  ALWAYS_INLINE void fetch(Index a, Index b, Index id) const {
+    for (const Index p : {a, b}) bondstatic::fetch(&draft_.model.particles[std::size_t(p)].position);
+    if (pairs_) pairs_->fetch(a, b);
+    draft_.bond_of_id.fetch(id);
+  }
+
   Index added() const { return added_; }
   bool sound() const { return draft_.reading.faults.size() == faults_; }
 
@@ -202,8 +209,12 @@ void keep_between(const PositionLists& groups, BondRows& rows) {
 
 /// Bonds of the rows that were not skipped, with their own parameters.
 void add_rows(BondAdder& adder, const BondRows& rows, BondBlock& made) {
+  const auto id_of = [&](std::size_t row) { return rows.ids.empty() ? -1 : rows.ids[row]; };
+  constexpr std::size_t ahead = 32;
   for (std::size_t row = 0; row < rows.a.size(); ++row) {
-    const Index id = rows.ids.empty() ? -1 : rows.ids[row];
+    if (const std::size_t next = row + ahead; next < rows.a.size())
+      adder.fetch(rows.a[next], rows.b[next], id_of(next));
+    const Index id = id_of(row);
     if (!adder.add(rows.a[row], rows.b[row], id, [&] { return rows.places[row]; })) continue;
     for (const auto& [parameter, values] : rows.overrides) made.overrides[parameter].push_back(values[row]);
     for (const auto& [strength, values] : rows.strengths)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bondstatic/types.hpp"
+#include "io/wide.hpp"
 
 namespace bondstatic {
 
@@ -32,6 +33,11 @@ class IdTable {
     if (rest_.empty()) return nullptr;
     const auto found = rest_.find(id);
     return found == rest_.end() ? nullptr : &found->second;
+  }
+
+  /// Begins to bring what add() of the id will look at.
+  ALWAYS_INLINE void fetch(Index id) const {
+    if (id >= 0 && id < Index(dense_.size())) bondstatic::fetch(&dense_[std::size_t(id)]);
   }
 
   Index size() const { return size_; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bondstatic/types.hpp"
+#include "io/wide.hpp"
 
 namespace bondstatic {
 
@@ -18,17 +19,25 @@ class PairSet {
   /// False where the pair, in either order, is there already.
   bool add(Index a, Index b) {
     if (3 * (size_ + 1) > 2 * Index(keys_.size())) make_room(2 * size_ + 1);
-    const bool is_new = place(std::min(a, b) * particles_ + std::max(a, b));
+    const bool is_new = place(key_of(a, b));
     size_ += is_new;
     return is_new;
   }
 
+  /// Begins to bring what add() of the pair will look at.
+  ALWAYS_INLINE void fetch(Index a, Index b) const { bondstatic::fetch(&keys_[place_of(key_of(a, b))]); }
+
  private:
   static constexpr Index none = -1;
 
+  Index key_of(Index a, Index b) const { return std::min(a, b) * particles_ + std::max(a, b); }
+  std::size_t place_of(Index key) const {
+    return std::size_t(std::uint64_t(key) * 0x9e3779b97f4a7c15u >> shift_);
+  }
+
   bool place(Index key) {
     const std::size_t mask = keys_.size() - 1;
-    std::size_t at = std::size_t(std::uint64_t(key) * 0x9e3779b97f4a7c15u >> shift_);
+    std::size_t at = place_of(key);
     for (; keys_[at] != none; at = (at + 1) & mask)
       if (keys_[at] == key) return false;
     keys_[at] = key;

@@ -8,3 +8,13 @@
 #define WIDE_AS_THE_MACHINE
 #endif
 #define ALWAYS_INLINE inline __attribute__((always_inline))
+
+namespace bondstatic {
+
+/// Begins to bring memory that will be needed soon. Whoever calls this must be inlined, too: to a compiler a
+/// function that does nothing else does nothing.
+ALWAYS_INLINE void fetch(const void* at) {
+  __builtin_prefetch(at);
+}
+
+}  // namespace bondstatic

@@ -56,7 +56,7 @@ template <class Pack>
 ALWAYS_INLINE void fetch_next_page(const Pack& pack) {
   constexpr std::size_t page = 4096, line = 64;
   for (std::size_t at = 0; at < sizeof(Pack); at += line)
-    __builtin_prefetch(reinterpret_cast<const char*>(&pack) + page + at);
+    fetch(reinterpret_cast<const char*>(&pack) + page + at);
 }
 
 // Rows of other blocks lie anywhere.
@@ -64,7 +64,7 @@ template <class Scalar, class Pack>
 ALWAYS_INLINE void fetch_other_ends(const std::vector<Pack>& packs, std::size_t k, const Scalar* u) {
   constexpr std::size_t ahead = 4;
   if (k + ahead >= packs.size()) return;
-  for (const std::uint32_t b : packs[k + ahead].b) __builtin_prefetch(u + stride * std::size_t(b));
+  for (const std::uint32_t b : packs[k + ahead].b) fetch(u + stride * std::size_t(b));
 }
 
 template <class Scalar, class Pack>

@@ -58,7 +58,10 @@ std::vector<Column> particle_columns(const Model& model, const State& result) {
 }
 
 std::vector<Column> bond_ends(const Model& model) {
-  const auto id_of = [&model](Index particle) { return model.particles[std::size_t(particle)].id; };
+  // Ids alone stay in the cache where particles would not.
+  const auto ids = std::make_shared<std::vector<Index>>();
+  for (const Particle& particle : model.particles) ids->push_back(particle.id);
+  const auto id_of = [ids](Index particle) { return (*ids)[std::size_t(particle)]; };
   return {column_of("id", model.bonds, [](const Bond& bond) { return bond.id; }),
           column_of("a", model.bonds, [id_of](const Bond& bond) { return id_of(bond.a); }),
           column_of("b", model.bonds, [id_of](const Bond& bond) { return id_of(bond.b); })};
