@@ -25,10 +25,9 @@ double product(const BodyVectors<double>& a, const BodyVectors<double>& b,
 }
 
 /// Of loads, of what a cell's strain asks for, and of static reactions.
-double load_norm(const BondNetwork& network, const Incidence& incidence, const Boundary& boundary,
-                 const State& statics, double length) {
-  const BodyVectors<double> still(boundary.load.size(), Vector6::Zero());
-  const auto applied = residual<double>(network, incidence, boundary, still, 1);
+double load_norm(const BondNetwork& network, const Boundary& boundary, const State& statics, double length) {
+  const BodyVectors<Extended> still(boundary.load.size(), Vector6T<Extended>::Zero());
+  const auto applied = converted<double>(residual(network, boundary, still, 1));
   double norm = 0;
   for (std::size_t p = 0; p < applied.size(); ++p)
     for (const Vector6* f : {&applied[p], &statics.reaction[p]})
@@ -63,14 +62,13 @@ Unbalance unbalance_of(const Model& model, const BondNetwork& network, const Bou
   Unbalance out;
   const Incidence incidence = link_incidence(network);
   const double length = network.rotation_length;
-  const double loads = load_norm(network, incidence, boundary, statics, length);
+  const double loads = load_norm(network, boundary, statics, length);
   const auto norm = [&](const BodyVectors<double>& f) {
     return std::sqrt(product(f, f, boundary.free, length)) / loads;
   };
   BodyVectors<double> r;
   if (!motion.empty() && loads > 0) {
-    out.linear = norm(
-        converted<double>(residual<Extended>(network, incidence, boundary, converted<Extended>(motion), 1)));
+    out.linear = norm(converted<double>(residual(network, boundary, converted<Extended>(motion), 1)));
     r = finite_residual(network, boundary, motion);
     out.finite = norm(r);
   }

@@ -53,7 +53,7 @@ Assembled reduced_system(const Model& model, Index load_case, Unsupported unsupp
   const auto boundary = std::make_shared<const Boundary>(boundary_of(model, load_case));
   const Held held = held_by(model, network, boundary->free, unsupported);
   Assembled result = assembled(network, incidence, held.dofs, threads);
-  const auto forces = residual<double>(network, incidence, *boundary, boundary->prescribed, threads);
+  const auto forces = residual(network, *boundary, converted<Extended>(boundary->prescribed), threads);
   const Eigen::VectorXd right = to_unknowns(forces, held.dofs, 1);
   result.right.assign(right.data(), right.data() + right.size());
   result.boundary = boundary;

@@ -90,11 +90,14 @@ class Multigrid final : public LinearSolver {
 
   Rows<double> to_rows(const Eigen::VectorXd& b) const {
     const auto& body = plan_.numbering.front().body;
-    Rows<double> rows = make_rows<double>(Index(body.size()));
-    for (std::size_t row = 0; row < body.size(); ++row) {
-      Index unknown = dofs_.first[std::size_t(body[row])];
+    const Index count = Index(body.size());
+    Rows<double> rows = make_rows<double>(count);
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && count > worth_threads)
+    for (Index row = 0; row < count; ++row) {
+      const Index p = body[std::size_t(row)];
+      Index unknown = dofs_.first[std::size_t(p)];
       for (int i = 0; i < 6; ++i)
-        if (dofs_.is_free(body[row], i)) rows[row].at[i] = b[unknown++];
+        if (dofs_.is_free(p, i)) rows[std::size_t(row)].at[i] = b[unknown++];
     }
     return rows;
   }
@@ -107,7 +110,7 @@ class Multigrid final : public LinearSolver {
     report_.reached = report_.reached && convergence.reached;
     const auto& row = plan_.numbering.front().row;
     Eigen::VectorXd values(dofs_.unknowns());
-    for_each_unknown(dofs_, [&](std::size_t p, int i, Index unknown) {
+    for_each_unknown(dofs_, threads_, [&](std::size_t p, int i, Index unknown) {
       values[unknown] = x[std::size_t(row[p])].at[i] / of.units.stiffness;
     });
     return values;

@@ -10,13 +10,6 @@ namespace bondstatic {
 
 namespace {
 
-double double_of(double value) {
-  return value;
-}
-double double_of(const Extended& value) {
-  return to_double(value);
-}
-
 // Deterministic signs: the estimate below must not depend on a random state.
 double sign_of(std::uint64_t n) {
   n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -38,10 +31,9 @@ BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence&
   return gather_forces<double>(network, incidence, q, 1);
 }
 
-template <class Scalar>
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
                       const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads) {
-  const auto r = residual<Scalar>(network, incidence, boundary, converted<Scalar>(motion), threads);
+  const auto r = residual(network, boundary, converted<Extended>(motion, threads), threads);
   const auto magnitude = force_magnitudes(network, incidence, motion, threads, boundary.strain);
   constexpr double doubtful = 0x1p-50, noise = 1000 * 0x1p-53;
   Vector6 everywhere = Vector6::Constant(size);
@@ -52,7 +44,7 @@ double backward_error(const BondNetwork& network, const Incidence& incidence, co
     if (Index(p) >= network.own()) return;
     double scale = magnitude[p][i] + std::abs(boundary.load[p][i]);
     if (!(scale > 0)) return;
-    const double left = std::abs(double_of(r[p][i]));
+    const double left = std::abs(to_double(r[p][i]));
     if (left > doubtful * scale) {
       if (largest.empty()) largest.assign(motion.size(), everywhere);
       const double possible = force_magnitude(network, incidence, largest, Index(p), boundary.strain)[i];
@@ -62,10 +54,5 @@ double backward_error(const BondNetwork& network, const Incidence& incidence, co
   });
   return worst;
 }
-
-template double backward_error<double>(const BondNetwork&, const Incidence&, const FreeDofs&, const Boundary&,
-                                       const BodyVectors<double>&, double, int);
-template double backward_error<Extended>(const BondNetwork&, const Incidence&, const FreeDofs&,
-                                         const Boundary&, const BodyVectors<double>&, double, int);
 
 }  // namespace bondstatic

@@ -14,16 +14,9 @@ BodyVectors<double> rounding_forces(const BondNetwork& network, const Incidence&
 
 /// Oettli and Prager's componentwise measure, of the answer as it is written: rounded once to double. Where
 /// all terms of a row vanish by symmetry but for noise, the row is held against what it could carry where
-/// everything moved by `size` (M. Arioli, J. W. Demmel, I. S. Duff, SIAM J. Matrix Anal. Appl. 10, 1989). The
-/// residual is formed in Scalar: Extended, or double, whose few roundings of its own are then part of the
-/// measure. On several ranks, of own bodies.
-template <class Scalar>
+/// everything moved by `size` (M. Arioli, J. W. Demmel, I. S. Duff, SIAM J. Matrix Anal. Appl. 10, 1989). On
+/// several ranks, of own bodies.
 double backward_error(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
                       const Boundary& boundary, const BodyVectors<double>& motion, double size, int threads);
-
-extern template double backward_error<double>(const BondNetwork&, const Incidence&, const FreeDofs&,
-                                              const Boundary&, const BodyVectors<double>&, double, int);
-extern template double backward_error<Extended>(const BondNetwork&, const Incidence&, const FreeDofs&,
-                                                const Boundary&, const BodyVectors<double>&, double, int);
 
 }  // namespace bondstatic

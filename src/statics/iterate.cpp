@@ -38,21 +38,20 @@ void Iterate::begin_from(const BodyVectors<Extended>& start, const FreeDofs& dof
   for_each_unknown(dofs, [&](std::size_t p, int i, Index) { motion[p][i] = start[p][i]; });
 }
 
-Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Incidence& incidence,
-                                       const Boundary& boundary, const FreeDofs& dofs, bool iterative,
-                                       int threads, Ranks* ranks) {
+Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Boundary& boundary,
+                                       const FreeDofs& dofs, bool iterative, int threads, Ranks* ranks) {
   const double length = network.rotation_length;
   const Index own = dofs.first[std::size_t(network.own())];
   if (iterative && steps == 0 && begun_from_motion) {
     // What is left of a good start says nothing of how large the forces are.
     const auto at_first =
-        bondstatic::residual<double>(network, incidence, boundary, boundary.prescribed, threads);
+        bondstatic::residual(network, boundary, converted<Extended>(boundary.prescribed), threads);
     least_residual = std::max(
         least_residual,
         largest_of_all(ranks, to_unknowns(at_first, dofs, length).head(own).lpNorm<Eigen::Infinity>()));
   }
-  Eigen::VectorXd r = to_unknowns(
-      bondstatic::residual<Extended>(network, incidence, boundary, motion, threads), dofs, length);
+  Eigen::VectorXd r =
+      to_unknowns(bondstatic::residual(network, boundary, motion, threads), dofs, length, threads);
   const double before = residual;
   residual = largest_of_all(ranks, r.head(own).lpNorm<Eigen::Infinity>());
   if (steps == 0) first_residual = std::max(residual, least_residual);
@@ -60,15 +59,17 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Inciden
   return r;
 }
 
-void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks) {
+void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, int threads,
+                  Ranks* ranks) {
   const double before = correction;
   correction = largest_of_all(ranks, step.lpNorm<Eigen::Infinity>());
   contraction = before > 0 ? correction / before : 1;
+  for_each_unknown(dofs, threads, [&](std::size_t p, int i, Index unknown) {
+    motion[p][i] += Extended(step[unknown]) / (i < 3 ? 1 : length);
+  });
   size = 0;
-  for_each_unknown(dofs, [&](std::size_t p, int i, Index unknown) {
-    const double scale = i < 3 ? 1 : length;
-    motion[p][i] += Extended(step[unknown]) / scale;
-    size = std::max(size, std::abs(to_double(motion[p][i])) * scale);
+  for_each_unknown(dofs, [&](std::size_t p, int i, Index) {
+    size = std::max(size, std::abs(to_double(motion[p][i])) * (i < 3 ? 1 : length));
   });
   size = std::max(largest_of_all(ranks, size), least_size);
   setbacks = steps > 0 && (contraction > 0.5 || correction == 0) ? setbacks + 1 : 0;

@@ -33,12 +33,11 @@ struct Iterate {
   void begin_from(const BodyVectors<Extended>& start, const FreeDofs& dofs, double came_by);
 
   /// The right-hand side of the next correction; on several ranks, of own bodies.
-  Eigen::VectorXd next_residual(const BondNetwork& network, const Incidence& incidence,
-                                const Boundary& boundary, const FreeDofs& dofs, bool iterative, int threads,
-                                Ranks* ranks);
+  Eigen::VectorXd next_residual(const BondNetwork& network, const Boundary& boundary, const FreeDofs& dofs,
+                                bool iterative, int threads, Ranks* ranks);
 
   /// Takes a correction.
-  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, Ranks* ranks);
+  void add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, int threads, Ranks* ranks);
 
   /// Whether it is done, by a direct solver or an iterative one. Both throw AccuracyError where corrections
   /// do not contract. `enough`: of the answer, what the next correction would be at most.

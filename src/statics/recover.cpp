@@ -128,9 +128,12 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
   result.reaction.assign(particles, Vector6::Zero());
   result.bonds.resize(std::size_t(bonds));
   const Matrix3& strain = result.strain = boundary.strain;
-  for (std::size_t p = 0; p < particles; ++p)
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
+  for (Index i = 0; i < Index(particles); ++i) {
+    const auto p = std::size_t(i);
     result.displacement[p] =
         left_out[p] ? Vector6(Vector6::Constant(not_given)) : whole_motion(model, strain, p, motion[p]);
+  }
 
   // Sums in the order of the bonds whatever the threads, a block at a time.
   constexpr Index block = 1 << 14, piece = 1 << 8;

@@ -20,10 +20,10 @@ struct Rounds {
 
 // Rounds of residual and correction, all load cases together, until what is left is below `enough` of the
 // largest entry, by what the corrections tell.
-Rounds refine(const BondNetwork& network, const Incidence& incidence, const FreeDofs& dofs,
-              const std::vector<const Boundary*>& cases, LinearSolver* solver, double pivot_ratio,
-              int threads, double enough, const std::function<void(const std::string&)>& progress,
-              Ranks* ranks, const FromBefore& before) {
+Rounds refine(const BondNetwork& network, const FreeDofs& dofs, const std::vector<const Boundary*>& cases,
+              LinearSolver* solver, double pivot_ratio, int threads, double enough,
+              const std::function<void(const std::string&)>& progress, Ranks* ranks,
+              const FromBefore& before) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
   Rounds rounds;
@@ -41,11 +41,11 @@ Rounds refine(const BondNetwork& network, const Incidence& incidence, const Free
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (!iterates[c].done)
         right_hand_sides.col(Index(c)) =
-            iterates[c].next_residual(network, incidence, *cases[c], dofs, iterative, threads, ranks);
+            iterates[c].next_residual(network, *cases[c], dofs, iterative, threads, ranks);
     const Eigen::MatrixXd corrections = solver->solve(right_hand_sides);
     for (std::size_t c = 0; c < cases.size(); ++c) {
       if (iterates[c].done) continue;
-      iterates[c].add(corrections.col(Index(c)), dofs, length, ranks);
+      iterates[c].add(corrections.col(Index(c)), dofs, length, threads, ranks);
       if (iterative)
         iterates[c].judge_iterative(solver->last_solve());
       else
@@ -65,13 +65,12 @@ Rounds refine(const BondNetwork& network, const Incidence& incidence, const Free
 
 }  // namespace
 
-std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
-                                                 const FreeDofs& dofs,
+std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const FreeDofs& dofs,
                                                  const std::vector<const Boundary*>& cases,
                                                  LinearSolver* solver, double pivot_ratio, int threads,
                                                  const FromBefore& before) {
-  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads, before.enough,
-                         nullptr, nullptr, before);
+  Rounds rounds =
+      refine(network, dofs, cases, solver, pivot_ratio, threads, before.enough, nullptr, nullptr, before);
   std::vector<BodyVectors<Extended>> motions;
   for (Iterate& iterate : rounds.iterates) motions.push_back(std::move(iterate.motion));
   return motions;
@@ -84,7 +83,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
                                    const FromBefore& before) {
   const double length = network.rotation_length;
   const bool iterative = solver && solver->iterative();
-  Rounds rounds = refine(network, incidence, dofs, cases, solver, pivot_ratio, threads,
+  Rounds rounds = refine(network, dofs, cases, solver, pivot_ratio, threads,
                          before.motions ? before.enough : extended_rounding, progress, ranks, before);
   std::vector<Iterate>& iterates = rounds.iterates;
   effort = std::move(rounds.effort);
@@ -93,7 +92,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     iterates[c].drop_negligible(dofs, length, iterative || before.motions ? iterates[c].expected_error() : 0);
-    answers.push_back(converted<double>(iterates[c].motion));
+    answers.push_back(converted<double>(iterates[c].motion, threads));
     if (!iterative && !before.in_brief)
       right_hand_sides.col(Index(c)) =
           to_unknowns(rounding_forces(network, incidence, answers[c], cases[c]->strain), dofs, length);
@@ -106,9 +105,8 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
     Accuracy& accuracy = refined[c].accuracy;
     accuracy.pivot_ratio = pivot_ratio;
     accuracy.refinements = std::max(0, iterates[c].steps - 1);
-    const auto measure = iterative || before.in_brief ? backward_error<double> : backward_error<Extended>;
     accuracy.backward_error = largest_of_all(
-        ranks, measure(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
+        ranks, backward_error(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
     const double left = (iterative ? 2 : 4) * iterates[c].expected_error();
     const double moved =
         iterative ? 0 : largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());

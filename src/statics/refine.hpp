@@ -47,8 +47,7 @@ struct FromBefore {
   double enough = early_enough;
   /// Sizes of the corrections that led to `motions`, one a case; empty where they are not known.
   std::vector<double> came_by = {};
-  /// Errors as they can be had without another sweep or solve: the backward one in double, the forward one
-  /// without what the rounding of the natural form does to the answer.
+  /// The forward error without what the rounding of the natural form does to the answer: that takes a solve.
   bool in_brief = false;
 };
 
@@ -64,8 +63,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
 
 /// The motions alone, as far as derivatives need them: what is left is below 1e-20 of the largest entry, or
 /// what `before` says, by what the corrections of a direct solver tell. One process. Throws likewise.
-std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const Incidence& incidence,
-                                                 const FreeDofs& dofs,
+std::vector<BodyVectors<Extended>> solve_adjoint(const BondNetwork& network, const FreeDofs& dofs,
                                                  const std::vector<const Boundary*>& cases,
                                                  LinearSolver* solver, double pivot_ratio, int threads,
                                                  const FromBefore& before = {});

@@ -273,7 +273,7 @@ std::vector<BondGradients> StaticRun::gradients(const std::vector<Functionals>& 
       FromBefore before;
       if (first == 0 && group.kept && group.kept->kept() && group.adjoints.size() == loads.size())
         before = {.motions = &group.adjoints, .enough = far_below_last_digit};
-      auto solved_for = solve_adjoint(network_, incidence_, group.held.dofs, loads, group.chosen.solver.get(),
+      auto solved_for = solve_adjoint(network_, group.held.dofs, loads, group.chosen.solver.get(),
                                       group.pivot_ratio, threads_, before);
       auto next = solved_for.begin();
       for (std::size_t i = 0; i < count; ++i) {

@@ -210,10 +210,9 @@ const double* columns_of(const Matrix3& strain) {
 
 }  // namespace
 
-BodyVectors<Extended> carried_forces(const BondNetwork& network, const BodyVectors<Extended>& motion,
-                                     const Matrix3& strain, int threads) {
+void subtract_carried_forces(const BondNetwork& network, const BodyVectors<Extended>& motion,
+                             const Matrix3& strain, int threads, BodyVectors<Extended>& forces) {
   const Index count = Index(network.links.size());
-  BodyVectors<Extended> carried(std::size_t(network.bodies), Vector6T<Extended>::Zero());
   std::vector<EndForces> ends(std::size_t(std::min(stretch, count)));
 #pragma omp parallel num_threads(threads) if (threads > 1 && count > links_worth_threads)
   for (Index first = 0; first < count; first += stretch) {
@@ -227,17 +226,16 @@ BodyVectors<Extended> carried_forces(const BondNetwork& network, const BodyVecto
     for (Index k = 0; k < last - first; ++k) {
       const EndForces& end = ends[std::size_t(k)];
       if (turns.own(links[k].a)) {
-        auto& sum = carried[std::size_t(links[k].a)];
-        for (int i = 0; i < 3; ++i) sum[i] -= end.force[i], sum[i + 3] -= end.moment_a[i];
+        auto& left = forces[std::size_t(links[k].a)];
+        for (int i = 0; i < 3; ++i) left[i] += end.force[i], left[i + 3] += end.moment_a[i];
       }
       if (turns.own(links[k].b)) {
-        auto& sum = carried[std::size_t(links[k].b)];
-        for (int i = 0; i < 3; ++i) sum[i] += end.force[i], sum[i + 3] -= end.moment_b[i];
+        auto& left = forces[std::size_t(links[k].b)];
+        for (int i = 0; i < 3; ++i) left[i] -= end.force[i], left[i + 3] += end.moment_b[i];
       }
     }
 #pragma omp barrier
   }
-  return carried;
 }
 
 void link_states(const BondNetwork& network, const BodyVectors<Extended>& motion, const Matrix3& strain,

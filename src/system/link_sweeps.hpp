@@ -8,10 +8,10 @@
 
 namespace bondstatic {
 
-/// B^T C (B u + strain) by body: what gather_forces() makes of link_resultants(), but for the last bits of
-/// Extended, and in bits that do not depend on `threads`.
-BodyVectors<Extended> carried_forces(const BondNetwork& network, const BodyVectors<Extended>& motion,
-                                     const Matrix3& strain, int threads);
+/// Takes B^T C (B u + strain) from the forces at the bodies: what gather_forces() makes of link_resultants(),
+/// but for the last bits of Extended, and in bits that do not depend on `threads`.
+void subtract_carried_forces(const BondNetwork& network, const BodyVectors<Extended>& motion,
+                             const Matrix3& strain, int threads, BodyVectors<Extended>& forces);
 
 /// delta = B u + strain and q = C delta of a link.
 struct LinkState {

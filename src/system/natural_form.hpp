@@ -17,9 +17,11 @@ template <class Scalar>
 using BodyVectors = std::vector<Vector6T<Scalar>>;  ///< one motion or force a body
 
 template <class To, class From>
-BodyVectors<To> converted(const BodyVectors<From>& values) {
+BodyVectors<To> converted(const BodyVectors<From>& values, int threads = 1) {
   BodyVectors<To> result(values.size());
-  for (std::size_t p = 0; p < values.size(); ++p) result[p] = values[p].template cast<To>();
+  const Index count = Index(values.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && count > worth_threads)
+  for (Index p = 0; p < count; ++p) result[std::size_t(p)] = values[std::size_t(p)].template cast<To>();
   return result;
 }
 

@@ -106,8 +106,8 @@ Anew solve_anew(const Broken& b, int threads, int repeats) {
 
 /// Of the whole model, for all stages.
 Eigen::VectorXd right_hand_side(const Broken& b) {
-  return to_unknowns(residual<double>(b.whole, link_incidence(b.whole), b.boundary, b.boundary.prescribed, 1),
-                     b.dofs, b.whole.rotation_length);
+  return to_unknowns(residual(b.whole, b.boundary, converted<Extended>(b.boundary.prescribed), 1), b.dofs,
+                     b.whole.rotation_length);
 }
 
 /// Of one way after so many breaks: seconds of a change, the median since the stage before, and of a solve,
