@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "bench/packing_case.hpp"
 #include "bench/program.hpp"
+#include "bench/timing.hpp"
 
 namespace bondstatic::bench {
 
@@ -22,6 +25,19 @@ double bytes_in(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) bytes += double(entry.file_size());
   return bytes;
+}
+
+/// What the disk takes at best: so many bytes in one file, written and removed again.
+double seconds_to_write(double bytes, const fs::path& path) {
+  const std::string piece(std::size_t(1) << 20, '7');
+  const double seconds = seconds_of([&] {
+    std::ofstream file(path, std::ios::binary);
+    for (double left = bytes; left > 0; left -= double(piece.size()))
+      file.write(piece.data(), std::streamsize(std::min(left, double(piece.size()))));
+    if (!file.flush()) throw std::runtime_error(path.string() + ": cannot write");
+  });
+  fs::remove(path);
+  return seconds;
 }
 
 void print_run(const nlohmann::json& summary, const ProgramRun& run) {
@@ -57,8 +73,11 @@ void print_million(const Million& asked) {
 
   fmt::print("| from case file to written answer on {} cores | figure |\n|---|---|\n", cores);
   print_run(summary, run);
+  const double result_bytes = bytes_in(results);
   fmt::print("| case and results on disk | {:.0f} MB and {:.0f} MB |\n", 1e-6 * case_bytes,
-             1e-6 * bytes_in(results));
+             1e-6 * result_bytes);
+  fmt::print("| as many bytes as the results, from one buffer | {:.1f} s |\n",
+             seconds_to_write(result_bytes, folder / "plain"));
   fmt::print("| relative error at most | {:.1e} (backward error {:.1e}) |\n",
              summary["accuracy"]["forward_error"].get<double>(),
              summary["accuracy"]["backward_error"].get<double>());
