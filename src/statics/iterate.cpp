@@ -62,6 +62,7 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Boundar
 void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double length, int threads,
                   Ranks* ranks) {
   const double before = correction;
+  earlier_contraction = contraction;
   correction = largest_of_all(ranks, step.lpNorm<Eigen::Infinity>());
   contraction = before > 0 ? correction / before : 1;
   for_each_unknown(dofs, threads, [&](std::size_t p, int i, Index unknown) {
@@ -80,6 +81,7 @@ void Iterate::add(const Eigen::VectorXd& step, const FreeDofs& dofs, double leng
 // rounding they are the noise of the residual, and the answer is as good as it gets.
 void Iterate::judge_direct(double pivot_ratio, double enough) {
   constexpr double doubt = 16;  // one round may contract less than the last
+  expected = contraction * correction;
   const bool at_rounding = correction <= extended_rounding * size, stagnant = setbacks > 0;
   if (!std::isfinite(correction) || (stagnant && correction > 1e-20 * size) || steps > most_refinements)
     throw AccuracyError(
@@ -89,10 +91,11 @@ void Iterate::judge_direct(double pivot_ratio, double enough) {
                     "the rest, or for a "
                     "support that is missing in all but rounding",
                     correction / size, pivot_ratio));
-  done = at_rounding || stagnant || doubt * expected_error() <= enough * size;
+  done = at_rounding || stagnant || doubt * expected <= enough * size;
 }
 
-// A single round may fall back: a slow mode shows only after the fast ones are gone.
+// A single round may fall back: a slow mode shows only after the fast ones are gone. So the next one is
+// expected to contract as the worse of the last two did.
 void Iterate::judge_iterative(const SolveReport& last) {
   constexpr int most_setbacks = 3;
   if (!std::isfinite(correction) || setbacks >= most_setbacks || steps > most_refinements)
@@ -103,9 +106,11 @@ void Iterate::judge_iterative(const SolveReport& last) {
         "bodies "
         "that hang by bonds many decades softer than the rest, and for long slender parts",
         correction / size, steps, last.iterations, last.reduction));
-  const bool settled = steps > 1 && contraction < 0.5;
+  const double worse = std::max(contraction, earlier_contraction);
+  expected = worse * correction;
+  const bool settled = steps > 1 && worse < 0.5;
   done = residual == 0 || correction <= extended_rounding * size ||
-         (settled && contraction * correction <= last_digit * size &&
+         (settled && expected <= last_digit * size &&
           force_contraction * residual <= force_rounding * first_residual);
 }
 

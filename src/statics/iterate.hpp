@@ -16,6 +16,8 @@ struct Iterate {
   double force_contraction = 1;             ///< of the residual, by the latest round
   double correction = 0;                    ///< largest entry of the last one, rotations times the length
   double contraction = 1;                   ///< of corrections, by the latest round
+  double earlier_contraction = 1;           ///< by the one before
+  double expected = 0;                      ///< what the next correction would be
   double size = 0;                          ///< largest entry of the answer, likewise, or `least_size`
   /// What the strain of a periodic cell alone moves the ends of a bond apart, and the largest force that
   /// takes: the particles of a lattice do nothing beyond the strain, and rounding is judged by these.
@@ -43,9 +45,6 @@ struct Iterate {
   /// do not contract. `enough`: of the answer, what the next correction would be at most.
   void judge_direct(double pivot_ratio, double enough);
   void judge_iterative(const SolveReport& last);
-
-  /// What the next correction would be, were it to contract as the last one did.
-  double expected_error() const { return contraction * correction; }
 
   /// Sets to zero what is rounding of the largest entry, or no larger than `noise`.
   void drop_negligible(const FreeDofs& dofs, double length, double noise);

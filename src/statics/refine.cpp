@@ -91,7 +91,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    iterates[c].drop_negligible(dofs, length, iterative || before.motions ? iterates[c].expected_error() : 0);
+    iterates[c].drop_negligible(dofs, length, iterative || before.motions ? iterates[c].expected : 0);
     answers.push_back(converted<double>(iterates[c].motion, threads));
     if (!iterative && !before.in_brief)
       right_hand_sides.col(Index(c)) =
@@ -107,7 +107,7 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
     accuracy.refinements = std::max(0, iterates[c].steps - 1);
     accuracy.backward_error = largest_of_all(
         ranks, backward_error(network, incidence, dofs, *cases[c], answers[c], iterates[c].size, threads));
-    const double left = (iterative ? 2 : 4) * iterates[c].expected_error();
+    const double left = (iterative ? 2 : 4) * iterates[c].expected;
     const double moved =
         iterative ? 0 : largest_of_all(ranks, right_hand_sides.col(Index(c)).lpNorm<Eigen::Infinity>());
     if (iterates[c].size > 0) {
