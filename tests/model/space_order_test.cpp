@@ -3,26 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "support/models.hpp"
+#include "support/shuffled.hpp"
 
 namespace bondstatic::test {
 namespace {
-
-std::vector<Index> shuffled(std::size_t count, std::mt19937_64& random) {
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), Index(0));
-  std::shuffle(order.begin(), order.end(), random);
-  return order;
-}
 
 Model packing(int edge) {
   std::mt19937_64 random(3);
   Model model = random_packing(random, edge, block("timoshenko", {{"young", 1e9}, {"poisson", 0.25}}));
   for (Index p = 0; p < edge; ++p) fix_all(model, p);
   for (Index p = 2 * edge; p < 3 * edge; ++p) load(model, p, vector6(1, double(p), 0));
-  return renumbered(model, {shuffled(model.particles.size(), random), shuffled(model.bonds.size(), random)});
+  return shuffled(model, random);
 }
 
 double mean_distance(const Model& model) {

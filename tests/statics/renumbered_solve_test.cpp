@@ -3,27 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "bondstatic/mechanism.hpp"
 #include "bondstatic/sensitivity.hpp"
 #include "bondstatic/statics.hpp"
-#include "model/space_order.hpp"
 #include "support/models.hpp"
+#include "support/shuffled.hpp"
 
 namespace bondstatic::test {
 namespace {
 
-std::vector<Index> shuffled(std::size_t count, std::mt19937_64& random) {
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), Index(0));
-  std::shuffle(order.begin(), order.end(), random);
-  return order;
-}
-
 Model in_any_order(const Model& model) {
   std::mt19937_64 random(9);
-  return renumbered(model, {shuffled(model.particles.size(), random), shuffled(model.bonds.size(), random)});
+  return shuffled(model, random);
 }
 
 /// Held at one face, drawn at the other; with pairs beside it that hold on to nothing.
