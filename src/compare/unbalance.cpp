@@ -60,7 +60,6 @@ BodyVectors<double> finite_residual(const BondNetwork& network, const Boundary& 
 Unbalance unbalance_of(const Model& model, const BondNetwork& network, const Boundary& boundary,
                        const State& statics, const RunState& run, const BodyVectors<double>& motion) {
   Unbalance out;
-  const Incidence incidence = link_incidence(network);
   const double length = network.rotation_length;
   const double loads = load_norm(network, boundary, statics, length);
   const auto norm = [&](const BodyVectors<double>& f) {
