@@ -12,8 +12,8 @@ namespace bondstatic {
 class Archive;
 
 struct Piece {
-  /// Own particles first, then the copies, each in the order of the whole model, as are bonds, supports and
-  /// loads. Supports and loads of copies are there, too.
+  /// Own particles first, then the copies. Supports and loads are in the order of the whole model, those of
+  /// copies among them.
   Model model;
   Index own = 0;                ///< particles 0 ... own-1 are this rank's
   std::vector<Index> particle;  ///< of each particle: its position in the whole model
@@ -31,6 +31,7 @@ class Cut {
   /// `rank_of`: of each particle. The model must outlive this.
   Cut(const Model& model, std::vector<int> rank_of, int ranks);
   ~Cut();
+  /// Its own particles, its copies and its bonds are in the order of the whole model.
   Piece piece(int rank) const;
 
  private:

@@ -72,6 +72,14 @@ SpaceOrder space_order(const Model& model, int threads) {
   return order;
 }
 
+SpaceOrder space_order(const Piece& piece, int threads) {
+  SpaceOrder order;
+  order.particle = along_curve(piece.model.particles, threads);
+  std::stable_partition(order.particle.begin(), order.particle.end(), [&](Index p) { return piece.has(p); });
+  order.bond = by_first_particle(piece.model.bonds, inverse(order.particle), threads);
+  return order;
+}
+
 Model renumbered(const Model& model, const SpaceOrder& order, int threads) {
   const std::vector<Index> position = inverse(order.particle);
   const Index particles = Index(model.particles.size()), bonds = Index(model.bonds.size());
@@ -98,6 +106,16 @@ Model renumbered(const Model& model, const SpaceOrder& order, int threads) {
   }
   for (Support& support : result.supports) support.particle = position[std::size_t(support.particle)];
   for (Load& load : result.loads) load.particle = position[std::size_t(load.particle)];
+  return result;
+}
+
+Piece renumbered(const Piece& piece, const SpaceOrder& order, int threads) {
+  Piece result{.model = renumbered(piece.model, order, threads), .own = piece.own};
+  for (const Index p : order.particle) {
+    result.particle.push_back(piece.particle[std::size_t(p)]);
+    if (!piece.has(p)) result.owner.push_back(piece.owner[std::size_t(p - piece.own)]);
+  }
+  for (const Index k : order.bond) result.bond.push_back(piece.bond[std::size_t(k)]);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
+#include "model/piece.hpp"
 
 namespace bondstatic {
 
@@ -20,6 +21,10 @@ SpaceOrder space_order(const Model& model, int threads = 1);
 
 /// Ids, branches, values and directions (from a to b) stay what they are; supports and loads stay in order.
 Model renumbered(const Model& model, const SpaceOrder& order, int threads = 1);
+
+/// Own particles along the curve, then the copies.
+SpaceOrder space_order(const Piece& piece, int threads = 1);
+Piece renumbered(const Piece& piece, const SpaceOrder& order, int threads = 1);
 
 /// What belongs to particles or bonds of the new order, given in the order of old.
 template <class Item>

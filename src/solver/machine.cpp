@@ -1,6 +1,9 @@
 #include "solver/machine.hpp"
 
 #include <dlfcn.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <omp.h>
 #include <sched.h>
 #include <sys/resource.h>
@@ -145,6 +148,12 @@ double peak_resident_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024.0 * double(usage.ru_maxrss);
+}
+
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 SolverThreads::SolverThreads(int threads) : omp_levels_(omp_get_max_active_levels()), blas_threads_(0) {

@@ -19,6 +19,10 @@ double available_memory();
 /// Largest resident size of this process so far, bytes.
 double peak_resident_memory();
 
+/// Gives the system what has been freed in pieces, too, and stays with the process otherwise: what is asked
+/// for next need not fit into the gaps. 10 ms for a gigabyte.
+void give_back_freed_memory();
+
 /// Keeps the thread trap of SuiteSparse shut while it lives: CHOLMOD 5.12 opens OpenMP regions of four
 /// threads whatever one asks for, which on a busy machine makes it up to a hundred times slower; active level
 /// 0 turns each into one thread. OpenBLAS keeps threads of its own, set to `threads`. Both are put back on

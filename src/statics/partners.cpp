@@ -23,9 +23,11 @@ NetworkShare share_of(const Piece& piece, Ranks& ranks) {
     const Index own = std::min(bond.a, bond.b), copy = std::max(bond.a, bond.b);
     neighbours[piece.owner[std::size_t(copy - piece.own)]].lent.push_back(own);
   }
+  const auto number = [&](Index p) { return piece.particle[std::size_t(p)]; };
   for (auto& [rank, neighbour] : neighbours) {
+    for (std::vector<Index>* list : {&neighbour.lent, &neighbour.borrowed})
+      std::sort(list->begin(), list->end(), [&](Index l, Index r) { return number(l) < number(r); });
     auto& lent = neighbour.lent;
-    std::sort(lent.begin(), lent.end());
     lent.erase(std::unique(lent.begin(), lent.end()), lent.end());
     neighbour.rank = rank;
     share.neighbours.push_back(std::move(neighbour));

@@ -36,16 +36,31 @@ StaticSolution solve_renumbered(const Model& model, const Model& near, const Spa
   throw;
 }
 
-StaticSolution solve_in_space_order(const Model& model, const StaticOptions& options) {
+// Ranks find mechanisms in the whole model, which is in its own order.
+StaticSolution solve_renumbered(const Piece& piece, const Piece& near, const Partners& partners,
+                                const StaticOptions& options, int threads) try {
+  const Partners there{near, partners.ranks, partners.whole};
+  return StaticRun(near.model, &there, options).solve(false);
+} catch (const InputError&) {
+  bond_properties(piece.model, threads);
+  throw;
+}
+
+// `given`: a model or a piece of one; solve(near, order, threads) answers for its renumbered copy, which is
+// gone before the answer is put in order: both take memory.
+template <class Given, class Solve>
+StaticSolution solve_in_space_order(const Given& given, const StaticOptions& options, Solve solve) {
   const int threads = options.threads > 0 ? options.threads : cores_at_hand();
   std::vector<Phase> phases;
   Stopwatch timed(phases, options.progress);
   SpaceOrder order;
-  const Model near = timed("renumbering", [&] {
-    order = space_order(model, threads);
-    return renumbered(model, order, threads);
-  });
-  StaticSolution solution = solve_renumbered(model, near, order, options, threads);
+  StaticSolution solution = [&] {
+    const Given near = timed("renumbering", [&] {
+      order = space_order(given, threads);
+      return renumbered(given, order, threads);
+    });
+    return solve(near, order, threads);
+  }();
   timed("renumbering", [&] {
     for (State& state : solution.cases) {
       restore_order(state.displacement, order.particle, threads);
@@ -60,12 +75,19 @@ StaticSolution solve_in_space_order(const Model& model, const StaticOptions& opt
 }  // namespace
 
 StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
-  if (model.particles.size() >= worth_renumbering) return solve_in_space_order(model, options);
-  return StaticRun(model, nullptr, options).solve(false);
+  if (model.particles.size() < worth_renumbering) return StaticRun(model, nullptr, options).solve(false);
+  return solve_in_space_order(model, options, [&](const Model& near, const SpaceOrder& order, int threads) {
+    return solve_renumbered(model, near, order, options, threads);
+  });
 }
 
 StaticSolution solve_statics(const Partners& partners, const StaticOptions& options) {
-  return StaticRun(partners.piece.model, &partners, options).solve(false);
+  const Piece& piece = partners.piece;
+  if (piece.model.particles.size() < worth_renumbering)
+    return StaticRun(piece.model, &partners, options).solve(false);
+  return solve_in_space_order(piece, options, [&](const Piece& near, const SpaceOrder&, int threads) {
+    return solve_renumbered(piece, near, partners, options, threads);
+  });
 }
 
 }  // namespace bondstatic

@@ -207,7 +207,10 @@ StaticSolution StaticRun::solve(bool keep) {
       report.solver = group.chosen.name;
       report.solver_reason = reason_of(group);
     }
-    if (!keep) group.chosen.solver.reset();  // recovery needs memory, too
+    if (!keep) {
+      group.chosen.solver.reset();
+      give_back_freed_memory();  // recovery needs some, too
+    }
 
     // 6. Reactions, resultants, energy, balances.
     timed("recovery", [&] {

@@ -18,10 +18,16 @@ Model packing(int edge) {
   return shuffled(model, random);
 }
 
+// In memory, of bonds between two of the first `own` particles.
+double mean_distance(const Model& model, Index own) {
+  double sum = 0, bonds = 0;
+  for (const Bond& bond : model.bonds)
+    if (bond.a < own && bond.b < own) sum += double(std::abs(bond.a - bond.b)), ++bonds;
+  return sum / bonds;
+}
+
 double mean_distance(const Model& model) {
-  double sum = 0;
-  for (const Bond& bond : model.bonds) sum += double(std::abs(bond.a - bond.b));
-  return sum / double(model.bonds.size());
+  return mean_distance(model, Index(model.particles.size()));
 }
 
 TEST(SpaceOrder, IsTheCurveInACubeOfEight) {
@@ -73,6 +79,37 @@ TEST(SpaceOrder, KeepsTheModelButItsNumbers) {
   }
 }
 
+TEST(SpaceOrder, OfAPieceKeepsOwnParticlesFirst) {
+  const Model model = packing(12);
+  std::vector<int> rank_of;
+  for (const Particle& p : model.particles) rank_of.push_back(int(p.position.x()) / 4);
+  const Cut cut(model, rank_of, 3);
+  for (int rank = 0; rank < 3; ++rank) {
+    const Piece piece = cut.piece(rank);
+    const SpaceOrder order = space_order(piece, 2);
+    const Piece near = renumbered(piece, order, 2);
+    EXPECT_LT(mean_distance(near.model, piece.own), 0.5 * mean_distance(piece.model, piece.own));
+    ASSERT_EQ(near.own, piece.own);
+    ASSERT_EQ(near.owner.size(), piece.owner.size());
+    for (std::size_t p = 0; p < near.particle.size(); ++p) {
+      EXPECT_EQ(near.model.particles[p].id, model.particles[std::size_t(near.particle[p])].id);
+      EXPECT_EQ(near.particle[p], piece.particle[std::size_t(order.particle[p])]);
+      EXPECT_EQ(rank_of[std::size_t(near.particle[p])],
+                near.has(Index(p)) ? rank : near.owner[p - std::size_t(near.own)]);
+    }
+    Index owned = 0, owned_before = 0;
+    for (const Bond& bond : piece.model.bonds) owned_before += piece.owns(bond);
+    for (std::size_t k = 0; k < near.bond.size(); ++k) {
+      const Bond &here = near.model.bonds[k], &there = model.bonds[std::size_t(near.bond[k])];
+      EXPECT_EQ(here.id, there.id);
+      EXPECT_EQ(near.particle[std::size_t(here.a)], there.a);
+      EXPECT_EQ(near.particle[std::size_t(here.b)], there.b);
+      owned += near.owns(here);
+    }
+    EXPECT_EQ(owned, owned_before);
+  }
+}
+
 TEST(SpaceOrder, GivesBackWhatBelongsToTheGivenModel) {
   const Model model = packing(7);
   const SpaceOrder order = space_order(model);
@@ -83,7 +120,8 @@ TEST(SpaceOrder, GivesBackWhatBelongsToTheGivenModel) {
 }
 
 TEST(SpaceOrder, TakesWhatHasNoExtent) {
-  EXPECT_TRUE(space_order({}).particle.empty());
+  EXPECT_TRUE(space_order(Model{}).particle.empty());
+  EXPECT_TRUE(space_order(Piece{}).particle.empty());
   Model model;
   for (int i = 0; i < 3; ++i) add_particle(model, Vector3(1, 2, 3), 1);
   EXPECT_EQ(space_order(model).particle, (std::vector<Index>{0, 1, 2}));

@@ -7,6 +7,7 @@
 #include "io/message.hpp"
 #include "support/models.hpp"
 #include "support/periodic.hpp"
+#include "support/shuffled.hpp"
 #include "support/thread_ranks.hpp"
 #include "system/bisection.hpp"
 
@@ -118,6 +119,42 @@ TEST(Partners, FindTheAnswerOfOneProcess) {
       EXPECT_LT(found.by_rank.front().report.iterations, 1.5 * double(expected.report.iterations) + 5);
     }
   }
+}
+
+// Pieces of so many particles are solved in an order of their own, where not all ranks have so many.
+TEST(Partners, FindTheAnswerOfALargeModelInAnyOrder) {
+  std::mt19937_64 random(17);
+  const Model model = shuffled(packing(30, random), random);
+  const StaticSolution expected = solve_statics(model, options());
+  std::vector<int> uneven;
+  for (const Particle& particle : model.particles) uneven.push_back(particle.position.x() > 20);
+  for (const auto& rank_of : {uneven, std::vector<int>(model.particles.size(), 1)})
+    expect_the_same(solve_on(2, model, rank_of, options()), expected);
+}
+
+TEST(Partners, NameFaultyBondsOfALargeModelInTheOrderOfTheTable) {
+  std::mt19937_64 random(19);
+  Model model = packing(30, random);
+  for (Bond& bond : model.bonds)
+    if (random() % 1000 == 0) bond.branch = Vector3::Zero();
+  model = shuffled(model, random);
+  const auto told = [](auto solve) -> std::string {
+    try {
+      solve();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "solved";
+  };
+  const Cut cut(model, std::vector<int>(model.particles.size(), 0), 1);
+  const std::string expected = told([&] { bond_properties(model); });
+  EXPECT_NE(expected, "solved");
+  std::string found;
+  run_ranks(1, [&](Ranks& mine) {
+    const Piece piece = cut.piece(0);
+    found = told([&] { solve_statics(Partners{piece, mine, [&] { return model; }}, options()); });
+  });
+  EXPECT_EQ(found, expected);
 }
 
 TEST(Partners, FindItHoweverTheModelIsCut) {
