@@ -1,6 +1,8 @@
 #include "multigrid/flexible_cg.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "multigrid/block_loop.hpp"
 #include "multigrid/cycle.hpp"
@@ -51,13 +53,13 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
                         Rows<double>& x) {
   Level<Scalar>& level = hierarchy.levels.front();
   const Index rows = level.bodies;
-  Rows<double> p = make_rows<double>(rows, level.copies), kp = make_rows<double>(rows);
-  x = make_rows<double>(rows, level.copies);
+  Rows<double> p = make_rows<double>(rows, level.copies, threads), kp = make_rows<double>(rows, 0, threads);
+  x = make_rows<double>(rows, level.copies, threads);
   Convergence result;
   const double start = std::sqrt(dots(level.halo, r, r, r, rows, threads)[0]);
   if (!(start > 0)) return {0, 0, start == 0};
 
-  double size = start, curvature = 0, energy_at_start = 0, best = 0;
+  double size = start, curvature = 0, energy = 0, energy_at_start = 0, best = 0;
   int best_at = 0;
   while (result.iterations < goal.most_iterations) {
     // z = M r; what the cycle sees is scaled to 1, so that float keeps its range.
@@ -69,15 +71,15 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     const Rows<Scalar>& z = level.x;
     const auto [zr, zkp] = dots(level.halo, z, r, kp, rows, threads);
     if (!(zr > 0) || !std::isfinite(zr)) break;  // rounding has made the cycle indefinite
-    const double energy = std::sqrt(size * zr);
+    const double before = std::exchange(energy, std::sqrt(size * zr));
     if (result.iterations == 0) energy_at_start = best = energy;
-    result.reduction = size / start;
-    result.reached = energy <= goal.energy_reduction * energy_at_start;
     if (energy < best) {
       best = energy;
       best_at = result.iterations;
     }
-    if (result.reached || result.iterations - best_at > goal.patience) break;
+    if (result.iterations - best_at > goal.patience) break;
+    // What the step at hand will leave, if it does as well as the last: to know it would take a cycle more.
+    const double contraction = result.iterations > 0 ? std::min(1.0, energy / before) : 1;
 
     const double along = result.iterations > 0 ? size * zkp / curvature : 0;
     for_blocks(rows, threads, [&](Index, Index first, Index last) {
@@ -99,7 +101,9 @@ Convergence flexible_cg(Hierarchy<Scalar>& hierarchy, const Goal& goal, int thre
     });
     size = std::sqrt(left.total(level.halo)[0]);
     ++result.iterations;
-    if (!(size > 0)) return {result.iterations, 0, size == 0};
+    result.reduction = size / start;
+    result.reached = size == 0 || contraction * energy <= goal.energy_reduction * energy_at_start;
+    if (result.reached || !(size > 0)) break;
   }
   return result;
 }

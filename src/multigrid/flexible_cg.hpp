@@ -8,8 +8,8 @@ namespace bondstatic::multigrid {
 
 /// How far to go.
 struct Goal {
-  double energy_reduction =
-      1e-6;  ///< of sqrt(r . M r), M the cycle: the energy norm of the error within a factor
+  double energy_reduction = 1e-6;  ///< of sqrt(r . M r), M the cycle: the energy norm of the error within a
+                                   ///< factor, expected of the last step from the one before it
   int most_iterations = 1000;
   int patience = 50;  ///< iterations without a new best: where float, or double, has no more to give
 };
