@@ -54,7 +54,7 @@ double rotation_length(double branches, double bonds);
 
 /// One link a bond. Where a law keeps its moments in the bond (EDEM's torque feedback off), equilibrium sees
 /// kt = kb = 0.
-BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties);
+BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties, int threads = 1);
 
 /// Which degrees of freedom are prescribed, and how the free ones are numbered: by particle, each particle's
 /// free ones together and in the order x, y, z, rx, ry, rz.

@@ -2,6 +2,7 @@
 
 #include "bond/block_plan.hpp"
 #include "bond/bond_radii.hpp"
+#include "io/first_touch.hpp"
 
 namespace bondstatic {
 
@@ -37,7 +38,7 @@ BondSite bond_site(const Model& model, const Bond& bond) {
 }
 
 std::vector<BondProperties> bond_properties(const Model& model, int threads) {
-  std::vector<BondProperties> out(model.bonds.size());
+  auto out = vector_of<BondProperties>(model.bonds.size(), threads);
   evaluate_all(model, threads, [&](std::size_t k, const BondProperties& of_bond) { out[k] = of_bond; });
   return out;
 }

@@ -83,9 +83,9 @@ SpaceOrder space_order(const Piece& piece, int threads) {
 Model renumbered(const Model& model, const SpaceOrder& order, int threads) {
   const std::vector<Index> position = inverse(order.particle);
   const Index particles = Index(model.particles.size()), bonds = Index(model.bonds.size());
-  Model result{.particles = std::vector<Particle>(model.particles.size()),
+  Model result{.particles = vector_of<Particle>(model.particles.size(), threads),
                .blocks = model.blocks,
-               .bonds = std::vector<Bond>(model.bonds.size()),
+               .bonds = vector_of<Bond>(model.bonds.size(), threads),
                .supports = model.supports,
                .loads = model.loads,
                .load_cases = model.load_cases,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bondstatic/model.hpp"
+#include "io/first_touch.hpp"
 #include "model/piece.hpp"
 
 namespace bondstatic {
@@ -29,7 +30,7 @@ Piece renumbered(const Piece& piece, const SpaceOrder& order, int threads = 1);
 /// What belongs to particles or bonds of the new order, given in the order of old.
 template <class Item>
 void restore_order(std::vector<Item>& items, const std::vector<Index>& order, int threads = 1) {
-  std::vector<Item> restored(items.size());
+  auto restored = vector_of<Item>(items.size(), threads);
   const Index count = Index(order.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (Index i = 0; i < count; ++i)

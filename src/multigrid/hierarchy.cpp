@@ -88,7 +88,7 @@ Level<Scalar> make_level(const Packing<LinkType>& packing, const Numbering& numb
   for (Index row = 0; free && row < level.bodies; ++row)
     if (const std::uint8_t bits = (*free)[std::size_t(numbering.body[std::size_t(row)])]; bits != all_free)
       level.partly_held.push_back({row, bits});
-  const auto make = [&] { return make_rows<Scalar>(level.bodies, level.copies); };
+  const auto make = [&] { return make_rows<Scalar>(level.bodies, level.copies, threads); };
   for (Rows<Scalar>* v : {&level.x, &level.r, &level.d, &level.e}) *v = make();
   if (!free)
     for (Rows<Scalar>* v : {&level.given, &level.first, &level.product}) *v = make();

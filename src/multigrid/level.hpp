@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/first_touch.hpp"
 #include "multigrid/block_diagonal.hpp"
 #include "multigrid/link_packs.hpp"
 
@@ -22,8 +23,9 @@ using Rows = std::vector<Row<Scalar>>;
 /// A vector of so many rows, all zero: behind them one for the ground, one for each copy, and room for whole
 /// packs.
 template <class Scalar>
-Rows<Scalar> make_rows(Index rows, Index copies = 0) {
-  return Rows<Scalar>(std::size_t((rows + copies + pack_size) / pack_size * pack_size));
+Rows<Scalar> make_rows(Index rows, Index copies = 0, int threads = 1) {
+  const Index packs = (rows + copies + pack_size) / pack_size;
+  return vector_of<Row<Scalar>>(std::size_t(packs * pack_size), threads);
 }
 
 /// A body that is held in some degrees of freedom: bit i of `free` as in FreeDofs.

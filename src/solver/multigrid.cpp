@@ -59,7 +59,7 @@ class Multigrid final : public LinearSolver {
     report_ = {};
     for (Index column = 0; column < right_hand_sides.cols(); ++column) {
       iterations_ = 0;
-      answer.col(column) = solve_one(right_hand_sides.col(column));
+      solve_one(right_hand_sides.col(column), answer.col(column));
       report_.iterations = std::max(report_.iterations, iterations_);
     }
     return answer;
@@ -74,24 +74,27 @@ class Multigrid final : public LinearSolver {
     double_ = build_hierarchy<double>(*network_, incidence_, dofs_, threads_, plan_);
   }
 
-  Eigen::VectorXd solve_one(const Eigen::VectorXd& b) {
+  using Given = Eigen::Ref<const Eigen::VectorXd>;
+  using Answer = Eigen::Ref<Eigen::VectorXd>;
+
+  void solve_one(const Given& b, Answer answer) {
     Rows<double> x, r = to_rows(b);
     if (single_) {
       const Convergence in_float = flexible_cg(*single_, {1e-6, 150, 20}, threads_, r, x);
-      if (in_float.reached) return to_unknowns(x, in_float, *single_);
+      if (in_float.reached) return take(x, in_float, *single_, answer);
       report_.note = fmt::format("went over to double precision after {} iterations", in_float.iterations);
       iterations_ += in_float.iterations;
       to_double();
       r = to_rows(b);
     }
     const Convergence in_double = flexible_cg(*double_, {1e-10, 2000, 200}, threads_, r, x);
-    return to_unknowns(x, in_double, *double_);
+    take(x, in_double, *double_, answer);
   }
 
-  Rows<double> to_rows(const Eigen::VectorXd& b) const {
+  Rows<double> to_rows(const Given& b) const {
     const auto& body = plan_.numbering.front().body;
     const Index count = Index(body.size());
-    Rows<double> rows = make_rows<double>(count);
+    Rows<double> rows = make_rows<double>(count, 0, threads_);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1 && count > worth_threads)
     for (Index row = 0; row < count; ++row) {
       const Index p = body[std::size_t(row)];
@@ -103,17 +106,15 @@ class Multigrid final : public LinearSolver {
   }
 
   template <class Scalar>
-  Eigen::VectorXd to_unknowns(Rows<double>& x, const Convergence& convergence, const Hierarchy<Scalar>& of) {
+  void take(Rows<double>& x, const Convergence& convergence, const Hierarchy<Scalar>& of, Answer answer) {
     refresh(of.levels.front().halo, x);
     iterations_ += convergence.iterations;
     report_.reduction = std::max(report_.reduction, convergence.reduction);
     report_.reached = report_.reached && convergence.reached;
     const auto& row = plan_.numbering.front().row;
-    Eigen::VectorXd values(dofs_.unknowns());
     for_each_unknown(dofs_, threads_, [&](std::size_t p, int i, Index unknown) {
-      values[unknown] = x[std::size_t(row[p])].at[i] / of.units.stiffness;
+      answer[unknown] = x[std::size_t(row[p])].at[i] / of.units.stiffness;
     });
-    return values;
   }
 
   int threads_;

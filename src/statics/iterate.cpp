@@ -20,8 +20,8 @@ constexpr double force_rounding = 0x1p-46;  // of the largest force, in a residu
 
 }  // namespace
 
-Iterate::Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ranks)
-    : motion(converted<Extended>(boundary.prescribed)) {
+Iterate::Iterate(const BondNetwork& network, const Boundary& boundary, int threads, Ranks* ranks)
+    : motion(converted<Extended>(boundary.prescribed, threads)) {
   if (boundary.strain.isZero(0)) return;
   for (const Link& link : network.links) {
     const Vector3 apart = boundary.strain * link.branch;
@@ -45,7 +45,7 @@ Eigen::VectorXd Iterate::next_residual(const BondNetwork& network, const Boundar
   if (iterative && steps == 0 && begun_from_motion) {
     // What is left of a good start says nothing of how large the forces are.
     const auto at_first =
-        bondstatic::residual(network, boundary, converted<Extended>(boundary.prescribed), threads);
+        bondstatic::residual(network, boundary, converted<Extended>(boundary.prescribed, threads), threads);
     least_residual = std::max(
         least_residual,
         largest_of_all(ranks, to_unknowns(at_first, dofs, length).head(own).lpNorm<Eigen::Infinity>()));

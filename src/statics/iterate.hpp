@@ -28,7 +28,7 @@ struct Iterate {
   bool done = false;
 
   /// At prescribed values.
-  Iterate(const BondNetwork& network, const Boundary& boundary, Ranks* ranks);
+  Iterate(const BondNetwork& network, const Boundary& boundary, int threads, Ranks* ranks);
 
   /// At `start` where motions are unknown. `came_by`: size of the correction that led there, 0 where it is
   /// not known; by how much the next one is smaller then tells how far it can be trusted.

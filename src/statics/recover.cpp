@@ -124,15 +124,16 @@ LoadCaseResult recover(const Model& model, const BondNetwork& network, const Inc
   const auto& motion = refined.motion;
   LoadCaseResult result;
   result.accuracy = refined.accuracy;
-  result.displacement.resize(particles);
-  result.reaction.assign(particles, Vector6::Zero());
-  result.bonds.resize(std::size_t(bonds));
+  result.displacement = vector_of<Vector6>(particles, threads);
+  result.reaction = vector_of<Vector6>(particles, threads);
+  result.bonds = vector_of<BondResult>(std::size_t(bonds), threads);
   const Matrix3& strain = result.strain = boundary.strain;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
   for (Index i = 0; i < Index(particles); ++i) {
     const auto p = std::size_t(i);
     result.displacement[p] =
         left_out[p] ? Vector6(Vector6::Constant(not_given)) : whole_motion(model, strain, p, motion[p]);
+    result.reaction[p].setZero();
   }
 
   // Sums in the order of the bonds whatever the threads, a block at a time.

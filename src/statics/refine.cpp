@@ -29,7 +29,7 @@ Rounds refine(const BondNetwork& network, const FreeDofs& dofs, const std::vecto
   Rounds rounds;
   auto& [iterates, effort] = rounds;
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    iterates.emplace_back(network, *cases[c], ranks);
+    iterates.emplace_back(network, *cases[c], threads, ranks);
     if (before.motions)
       iterates.back().begin_from((*before.motions)[c], dofs, before.came_by.empty() ? 0 : before.came_by[c]);
   }
@@ -37,7 +37,9 @@ Rounds refine(const BondNetwork& network, const FreeDofs& dofs, const std::vecto
     return std::all_of(iterates.begin(), iterates.end(), [](const Iterate& i) { return i.done; });
   };
   for (int round = 1; solver && !all_done(); ++round) {
-    Eigen::MatrixXd right_hand_sides = Eigen::MatrixXd::Zero(dofs.unknowns(), Index(cases.size()));
+    Eigen::MatrixXd right_hand_sides(dofs.unknowns(), Index(cases.size()));
+    touch_pages(right_hand_sides.data(), sizeof(double) * std::size_t(right_hand_sides.size()), threads);
+    right_hand_sides.setZero();
     for (std::size_t c = 0; c < cases.size(); ++c)
       if (!iterates[c].done)
         right_hand_sides.col(Index(c)) =
@@ -87,7 +89,8 @@ std::vector<Refined> solve_refined(const BondNetwork& network, const Incidence& 
                          before.motions ? before.enough : extended_rounding, progress, ranks, before);
   std::vector<Iterate>& iterates = rounds.iterates;
   effort = std::move(rounds.effort);
-  Eigen::MatrixXd right_hand_sides = Eigen::MatrixXd::Zero(dofs.unknowns(), Index(cases.size()));
+  Eigen::MatrixXd right_hand_sides =
+      Eigen::MatrixXd::Zero(iterative ? 0 : dofs.unknowns(), Index(cases.size()));
 
   std::vector<BodyVectors<double>> answers;
   for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -162,7 +162,7 @@ StaticSolution StaticRun::solve(bool keep) {
 
   // 1. What each bond is: C, contact point, section.
   properties_ = timed("bonds", [&] { return bond_properties(model_, threads_); });
-  BondNetwork network = bond_network(model_, properties_);
+  BondNetwork network = bond_network(model_, properties_, threads_);
   if (partners_) {
     share_ = share_of(partners_->piece, *ranks_);
     network.share = &share_;

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "io/first_touch.hpp"
 #include "system/incidence.hpp"
 
 namespace bondstatic {
@@ -18,7 +19,7 @@ using BodyVectors = std::vector<Vector6T<Scalar>>;  ///< one motion or force a b
 
 template <class To, class From>
 BodyVectors<To> converted(const BodyVectors<From>& values, int threads = 1) {
-  BodyVectors<To> result(values.size());
+  auto result = vector_of<Vector6T<To>>(values.size(), threads);
   const Index count = Index(values.size());
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && count > worth_threads)
   for (Index p = 0; p < count; ++p) result[std::size_t(p)] = values[std::size_t(p)].template cast<To>();

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "system/natural_form.hpp"
+
 namespace bondstatic {
 
 double rotation_length(double branches, double bonds) {
@@ -10,18 +12,21 @@ double rotation_length(double branches, double bonds) {
   return std::exp2(std::round(std::log2(0.5 * branches / bonds)));
 }
 
-BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties) {
+BondNetwork bond_network(const Model& model, std::span<const BondProperties> properties, int threads) {
   BondNetwork network;
   network.bodies = Index(model.particles.size());
   double branches = 0;
   for (const Bond& bond : model.bonds) branches += bond.branch.norm();
   network.rotation_length = rotation_length(branches, double(model.bonds.size()));
-  network.links.reserve(model.bonds.size());
-  for (std::size_t k = 0; k < model.bonds.size(); ++k) {
+  network.links = vector_of<Link>(model.bonds.size(), threads);
+  const Index bonds = Index(model.bonds.size());
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1 && bonds > worth_threads)
+  for (Index i = 0; i < bonds; ++i) {
+    const auto k = std::size_t(i);
     const Bond& bond = model.bonds[k];
     SectionStiffness stiffness = properties[k].stiffness;
     if (!properties[k].moments_fed_back) stiffness.kt = stiffness.kb = 0;
-    network.links.push_back({bond.a, bond.b, bond.branch, properties[k].fraction, stiffness});
+    network.links[k] = {bond.a, bond.b, bond.branch, properties[k].fraction, stiffness};
   }
   return network;
 }
