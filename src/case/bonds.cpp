@@ -10,6 +10,7 @@
 #include "case/bond_parameters.hpp"
 #include "case/bond_strength.hpp"
 #include "case/selector.hpp"
+#include "io/first_touch.hpp"
 #include "io/pair_set.hpp"
 #include "model/bond_formation.hpp"
 
@@ -90,6 +91,7 @@ class BondAdder {
       for (const Bond& bond : bonds) pairs_->add(bond.a, bond.b);
     }
     bonds.reserve(bonds.size() + expected);
+    touch_pages(bonds.data() + bonds.size(), expected * sizeof(Bond), draft.reading.threads);
     draft.bond_of_id.expect(Index(expected));
   }
 
