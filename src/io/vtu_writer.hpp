@@ -1,6 +1,7 @@
-// VTK's XML format for unstructured grids (.vtu), one piece: points and lines between them, with inline
-// base64 arrays and 64-bit headers; and the file that makes one grid of several pieces (.pvtu). ParaView, VTK
-// and PyVista read both, meshio the first.
+// VTK's XML format for unstructured grids (.vtu), one piece: points and lines between them, with arrays of raw
+// bytes appended and 64-bit headers; and the file that makes one grid of several pieces (.pvtu). ParaView, VTK
+// and PyVista read both, meshio the first. The format:
+// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html
 #pragma once
 
 #include <optional>

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 
 #include "bondstatic/error.hpp"
-#include "io/base64.hpp"
 
 namespace bondstatic {
 
@@ -21,12 +21,8 @@ constexpr const char* ghost_array = "vtkGhostType";
 constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 constexpr std::uint8_t line_type = 3;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
+constexpr std::string_view begin_of_data = "<AppendedData encoding=\"raw\">\n_";
+constexpr std::string_view end_of_data = "\n</AppendedData>\n</VTKFile>\n";
 
 }  // namespace
 
@@ -41,11 +37,9 @@ GridFile::GridFile(const std::string& path) : path_(path), xml_(std::make_unique
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     fail(std::filesystem::exists(path, error) ? "is no file" : "does not exist");
-  // Parsed where it was read to. What is between tags is one string, however long.
+  const std::string xml = read_xml();
   const pugi::xml_parse_result parsed =
-      xml_->load_file(path.c_str(), pugi::parse_minimal, pugi::encoding_utf8);
-  if (parsed.status == pugi::status_out_of_memory)
-    throw MemoryError(fmt::format("{}: does not fit in memory\n    cure: use a machine with more", path));
+      xml_->load_buffer(xml.data(), xml.size(), pugi::parse_minimal, pugi::encoding_utf8);
   if (!parsed) fail(fmt::format("damaged at byte {}: {}", parsed.offset, parsed.description()));
 
   const pugi::xml_node root = xml_->child("VTKFile");
@@ -64,10 +58,39 @@ GridFile::GridFile(const std::string& path) : path_(path), xml_(std::make_unique
   if (!piece_ || piece_.next_sibling("Piece")) fail("found no single Piece of an UnstructuredGrid");
   points_ = count_named("NumberOfPoints");
   lines_ = count_named("NumberOfCells");
-  // Positions are always there: a count that they do not bear out must not be trusted with memory.
-  const std::size_t letters = trimmed(piece_.child("Points").child_value("DataArray")).size();
-  if (letters / 32 != std::size_t(points_))
-    fail(fmt::format("NumberOfPoints is {}, but there are {} letters of positions", points_, letters));
+  if (data_ == 0) fail("has no appended raw data");
+  // Counts that the bytes of the file do not bear out must not be trusted with memory.
+  if (24 * std::uint64_t(points_) + 17 * std::uint64_t(lines_) > end_ - data_)
+    fail(fmt::format("{} points and {} lines do not go into {} bytes", points_, lines_, end_ - data_));
+}
+
+std::string GridFile::read_xml() {
+  constexpr std::size_t piece = std::size_t(1) << 16, longest = std::size_t(1) << 24;
+  std::ifstream file(path_, std::ios::binary);
+  if (!file) fail("cannot be read");
+  std::string text;
+  while (file) {
+    if (text.size() >= longest) fail(fmt::format("has no appended raw data in its first {} bytes", longest));
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    file.read(text.data() + before, piece);
+    text.resize(before + std::size_t(file.gcount()));
+    const std::size_t seen = before - std::min(before, begin_of_data.size());
+    const std::size_t found = text.find(begin_of_data, seen);
+    if (found == std::string::npos) continue;
+    data_ = found + begin_of_data.size();
+    text.resize(data_);
+    break;
+  }
+  if (data_ == 0) return text;
+
+  std::string last(end_of_data.size(), ' ');
+  file.clear();
+  file.seekg(-std::streamoff(last.size()), std::ios::end);
+  end_ = std::uint64_t(std::max(std::streamoff(0), std::streamoff(file.tellg())));
+  if (!file.read(last.data(), std::streamsize(last.size())) || last != end_of_data || end_ < data_)
+    fail("damaged: it does not end as it was written");
+  return text.append(end_of_data);
 }
 
 Index GridFile::count_named(const char* attribute) const {
@@ -103,25 +126,28 @@ std::vector<GridArray> GridFile::arrays(Of of) const {
 template <class Stored, class Number>
 void GridFile::append_as(pugi::xml_node node, Index rows, std::vector<Number>& numbers) const {
   const std::string name = node.attribute("Name").value();
-  const auto decoded = std::string_view(node.attribute("format").value()) == "binary"
-                           ? decode_base64(trimmed(node.child_value()))
-                           : std::nullopt;
-  std::uint64_t size = 0;
-  if (!decoded || decoded->size() < sizeof size) fail(fmt::format("array {} is damaged, no base64", name));
-  std::memcpy(&size, decoded->data(), sizeof size);
-  const std::size_t bytes = decoded->size() - sizeof size;
+  const pugi::xml_attribute offset = node.attribute("offset");
+  const std::uint64_t begin = data_ + std::min<std::uint64_t>(offset.as_ullong(), end_ - data_);
+  std::uint64_t bytes = 0;
+  std::ifstream file(path_, std::ios::binary);
+  file.seekg(std::streamoff(begin));
+  if (std::string_view(node.attribute("format").value()) != "appended" || offset.empty() ||
+      end_ - begin < sizeof bytes || !file.read(reinterpret_cast<char*>(&bytes), sizeof bytes) ||
+      end_ - begin - sizeof bytes < bytes)
+    fail(fmt::format("array {} is damaged: its numbers are not in the appended data", name));
   const auto components = std::size_t(std::max(1, node.attribute("NumberOfComponents").as_int(1)));
   const std::size_t count = bytes / sizeof(Stored);
-  if (size != bytes || bytes % sizeof(Stored) != 0 || count % components != 0 ||
-      count / components != std::size_t(rows))
+  if (bytes % sizeof(Stored) != 0 || count % components != 0 || count / components != std::size_t(rows))
     fail(fmt::format("array {} is damaged: {} bytes are no {} rows of {} numbers", name, bytes, rows,
                      components));
   numbers.reserve(numbers.size() + count);
-  const std::byte* from = decoded->data() + sizeof size;
-  for (std::size_t i = 0; i < count; ++i, from += sizeof(Stored)) {
-    Stored value;
-    std::memcpy(&value, from, sizeof value);
-    numbers.push_back(Number(value));
+  std::array<Stored, 4096> some;
+  for (std::size_t left = count; left > 0;) {
+    const std::size_t now = std::min(left, some.size());
+    if (!file.read(reinterpret_cast<char*>(some.data()), std::streamsize(now * sizeof(Stored))))
+      fail(fmt::format("array {} cannot be read", name));
+    for (std::size_t i = 0; i < now; ++i) numbers.push_back(Number(some[i]));
+    left -= now;
   }
 }
 

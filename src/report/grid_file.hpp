@@ -1,5 +1,5 @@
-// One .vtu file as io/vtu_writer writes it: points, lines between them, and arrays of both. Nothing is
-// decoded before it is asked for, so that a file takes about its own size in memory and one array more.
+// One .vtu file as io/vtu_writer writes it: points, lines between them, and arrays of both. Only its XML is
+// kept in memory; arrays are read from the file when they are asked for.
 #pragma once
 
 #include <memory>
@@ -42,6 +42,8 @@ class GridFile {
 
  private:
   [[noreturn]] void fail(const std::string& found) const;
+  /// The XML, and where the appended data lie; all of the file, up to a limit, where there are none.
+  std::string read_xml();
   Index count_named(const char* attribute) const;
   pugi::xml_node group(Of of) const;
   pugi::xml_node cells(const char* array, const char* type) const;
@@ -55,6 +57,7 @@ class GridFile {
   std::unique_ptr<pugi::xml_document> xml_;
   pugi::xml_node piece_;
   Index points_ = 0, lines_ = 0;
+  std::uint64_t data_ = 0, end_ = 0;  ///< bytes [data_, end_) of the file are appended arrays
 };
 
 }  // namespace bondstatic

@@ -63,13 +63,13 @@ void write_state(FileSet& files, const Model& model, const State& state) {
   write_grid(files.create(prefix + grid_file), model, state);
 }
 
-// Some 18 characters a number in a table, and 32 for three in base64.
+// Some 18 characters a number in a table.
 double typical_table_bytes(Index particles, Index bonds) {
   return 18.0 * (17 * double(particles) + 15 * double(bonds));
 }
 
 double typical_grid_bytes(Index particles, Index bonds) {
-  return 32 / 3.0 * (24 * double(particles) + 20 * double(bonds));
+  return 8.0 * (24 * double(particles) + 20 * double(bonds));
 }
 
 }  // namespace bondstatic

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "bondstatic/model.hpp"
-#include "io/base64.hpp"
 #include "io/csv_writer.hpp"
 #include "io/file_set.hpp"
 #include "io/scratch_folder.hpp"
@@ -25,31 +23,6 @@ std::string written(int threads, Write write) {
   write(files.create("file"));
   files.commit();
   return test::read_text(scratch / "out/file");
-}
-
-std::string base64(const std::string& text) {
-  fmt::memory_buffer letters;
-  append_base64(std::as_bytes(std::span(text)), letters);
-  return {letters.data(), letters.size()};
-}
-
-TEST(Base64, VectorsOfRfc4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
-TEST(Base64, BlocksMakeOneStream) {
-  std::string text;
-  for (int i = 0; i < 3000003; ++i) text += char(i * 7 + i / 251);
-  const auto write = [&](OutputFile& file) {
-    write_base64(file, Index(text.size()), [&](Index begin, std::span<std::byte> into) {
-      std::memcpy(into.data(), text.data() + begin, into.size());
-    });
-  };
-  for (const int threads : {1, 2, 4, 7}) EXPECT_TRUE(written(threads, write) == base64(text)) << threads;
 }
 
 TEST(OrderedBlocks, TablesAndGridsDoNotDependOnTheThreads) {

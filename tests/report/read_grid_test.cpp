@@ -104,7 +104,10 @@ TEST_F(ReadGrid, FilesThatAreNotThereAreNamed) {
 
 TEST_F(ReadGrid, DamagedFilesAreRefused) {
   const std::string whole = test::read_text(write(3));
-  EXPECT_THAT(refused(whole.substr(0, whole.size() / 2)), HasSubstr("damaged at byte"));
+  EXPECT_THAT(refused(whole.substr(0, whole.find("<CellData>"))), HasSubstr("damaged at byte"));
+  for (const std::size_t lost : {1, 20, 30, 400})
+    EXPECT_THAT(refused(whole.substr(0, whole.size() - lost)), HasSubstr("does not end as it was written"));
+  EXPECT_THAT(refused(whole + "\n"), HasSubstr("does not end as it was written"));
   EXPECT_THAT(refused(""), HasSubstr("damaged at byte 0"));
   EXPECT_THAT(refused("id,x,y\n1,2,3\n"), HasSubstr("damaged at byte"));
   EXPECT_THAT(refused("<a/>"), HasSubstr("no VTKFile"));
@@ -114,17 +117,41 @@ TEST_F(ReadGrid, DamagedFilesAreRefused) {
   EXPECT_THAT(refused("header_type", "compressor=\"vtkZLibDataCompressor\" header_type"),
               HasSubstr("compressor"));
   EXPECT_THAT(refused("<Piece ", "<Piece/><Piece "), HasSubstr("no single Piece"));
-  EXPECT_THAT(refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""), HasSubstr("NumberOfPoints is 5, but"));
+  EXPECT_THAT(refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""), HasSubstr("bytes are no 5 rows"));
+  EXPECT_THAT(refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"4000\""),
+              HasSubstr("4000 points and 3 lines"));
+  EXPECT_THAT(refused("NumberOfCells=\"3\"", "NumberOfCells=\"3000\""), HasSubstr("4 points and 3000 lines"));
   for (const char* count : {"-1", "4.5", "", "9223372036854775807", "99999999999999999999"})
     EXPECT_THAT(refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"" + std::string(count) + "\""),
                 HasSubstr("no count"));
   EXPECT_THAT(refused("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""), HasSubstr("2 components"));
   EXPECT_THAT(refused("Int64\" Name=\"id", "Float32\" Name=\"id"), HasSubstr("Float32"));
-  EXPECT_THAT(refused("format=\"binary\"", "format=\"ascii\""), HasSubstr("no base64"));
-  EXPECT_THAT(refused("binary\">\n", "binary\">\n*"), HasSubstr("array id is damaged"));
-  EXPECT_THAT(refused("binary\">\n", "binary\">\nAAAA"), HasSubstr("array id is damaged"));
+  for (const char* nowhere : {"ascii\" offset=\"0\"", "appended\"", "appended\" offset=\"500\"",
+                              "appended\" offset=\"18446744073709551615\"", "appended\" offset=\"1\""})
+    EXPECT_THAT(refused("appended\" offset=\"0\"", nowhere), HasSubstr("array id is damaged"));
+  EXPECT_THAT(refused("_" + std::string(1, char(4 * 8)), "_" + std::string(1, char(3 * 8))),
+              HasSubstr("24 bytes are no 4 rows"));
+  EXPECT_THAT(refused("encoding=\"raw\"", "encoding=\"base64\""), HasSubstr("damaged at byte"));
+  EXPECT_THAT(refused(whole.substr(0, whole.find("<AppendedData")) + "</VTKFile>\n"),
+              HasSubstr("no appended raw data"));
   EXPECT_THAT(refused("Name=\"offsets\"", "Name=\"o\""), HasSubstr("no array offsets"));
   EXPECT_THAT(refused("<Points>", "<Spots>"), HasSubstr("damaged at byte"));
+}
+
+TEST_F(ReadGrid, NoMoreOfAFileIsReadThanCanBeXml) {
+  EXPECT_THAT(refused("<VTKFile>" + std::string(std::size_t(1) << 24, ' ')),
+              HasSubstr("no appended raw data in its first 16777216 bytes"));
+}
+
+TEST_F(ReadGrid, XmlOfAnyLengthIsRead) {
+  // The beginning of the data lies across the pieces that are read.
+  const std::string whole = test::read_text(write(3));
+  const auto data = whole.find("<AppendedData");
+  for (std::size_t at = 65536 - 40; at < 65536 + 10; ++at) {
+    std::string text = whole;
+    text.insert(data, std::string(at - data, ' '));
+    EXPECT_EQ(refused(text), "(read)") << at;
+  }
 }
 
 TEST_F(ReadGrid, GridsThatCannotBeAreRefused) {
