@@ -77,24 +77,33 @@ void FileSet::make_folders(const fs::path& folder) {
     throw fs::filesystem_error("", folder, std::make_error_code(std::errc::not_a_directory));
 }
 
-OutputFile& FileSet::open(const std::string& name, OutputFile::Begin begin) {
-  finish_current();
+std::unique_ptr<OutputFile> FileSet::open(const std::string& name, OutputFile::Begin begin,
+                                          Checkpoint checkpoint, int threads) {
   const fs::path path = shared_folder() / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) unusable(folder_, error.message());
-  current_ = std::make_unique<OutputFile>(path, (folder_ / name).string(), checkpoint_, threads_, begin);
-  return *current_;
+  return std::make_unique<OutputFile>(path, (folder_ / name).string(), std::move(checkpoint), threads, begin,
+                                      &bytes_);
 }
 
 OutputFile& FileSet::create(const std::string& name) {
-  OutputFile& file = open(name, OutputFile::Begin::empty);
+  finish_current();
+  current_ = open(name, OutputFile::Begin::empty, checkpoint_, threads_);
   names_.push_back(name);
-  return file;
+  return *current_;
 }
 
 OutputFile& FileSet::extend(const std::string& name) {
-  return open(name, OutputFile::Begin::at_end);
+  finish_current();
+  current_ = open(name, OutputFile::Begin::at_end, checkpoint_, threads_);
+  return *current_;
+}
+
+std::unique_ptr<OutputFile> FileSet::create_beside(const std::string& name, Checkpoint checkpoint) {
+  std::unique_ptr<OutputFile> file = open(name, OutputFile::Begin::empty, std::move(checkpoint), 1);
+  names_.push_back(name);
+  return file;
 }
 
 fs::path FileSet::shared_folder() {
@@ -107,7 +116,6 @@ fs::path FileSet::shared_folder() {
 
 void FileSet::finish_current() {
   if (current_) current_->close();
-  bytes_ = bytes();
   current_.reset();
 }
 

@@ -3,6 +3,7 @@
 // A staging folder that a killed run left behind is removed by the next set in the same folder.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,6 +34,10 @@ class FileSet {
   /// Goes on with a file that create() started and another create() finished.
   OutputFile& extend(const std::string& name);
 
+  /// A file that stays open beside the others, for one thread and with a checkpoint of its own (SideFile).
+  /// The caller closes it before commit().
+  std::unique_ptr<OutputFile> create_beside(const std::string& name, Checkpoint checkpoint);
+
   /// Where create() puts the files until commit(), made where it is missing. Other processes may put files
   /// there, too: adopt() makes such a one part of the set, as if it had been created here and now. The others
   /// must be removed before commit().
@@ -40,7 +45,9 @@ class FileSet {
   void adopt(const std::string& name) { names_.push_back(name); }
 
   /// Bytes written so far, of all files.
-  double bytes() const { return bytes_ + (current_ ? current_->bytes() : 0); }
+  double bytes() const { return double(bytes_); }
+  int threads() const { return threads_; }
+  const Checkpoint& checkpoint() const { return checkpoint_; }
 
   /// Puts everything in place, the file that was created last comes last. A file in the way that is not
   /// superseded is never overwritten: Error (invalid_input). After any error all is as it was before.
@@ -52,7 +59,8 @@ class FileSet {
   };
 
   void make_folders(const std::filesystem::path& folder);
-  OutputFile& open(const std::string& name, OutputFile::Begin begin);
+  std::unique_ptr<OutputFile> open(const std::string& name, OutputFile::Begin begin, Checkpoint checkpoint,
+                                   int threads);
   void move(const std::filesystem::path& from, const std::filesystem::path& to);
   void finish_current();
   void set_aside(const std::string& name);
@@ -64,7 +72,7 @@ class FileSet {
   FolderLock lock_;  ///< on the staging folder
   Checkpoint checkpoint_;
   int threads_;
-  double bytes_ = 0;  ///< of finished files
+  std::atomic<Index> bytes_ = 0;
   std::vector<std::string> names_, superseded_;
   std::unique_ptr<OutputFile> current_;
   std::vector<std::filesystem::path> made_;  ///< folders that were not there before

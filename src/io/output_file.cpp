@@ -30,8 +30,8 @@ struct Descriptor {
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint,
-                       int threads, Begin begin)
-    : shown_(std::move(shown)), checkpoint_(std::move(checkpoint)), threads_(threads) {
+                       int threads, Begin begin, std::atomic<Index>* written)
+    : shown_(std::move(shown)), checkpoint_(std::move(checkpoint)), threads_(threads), written_(written) {
   const int start = begin == Begin::empty ? O_CREAT | O_TRUNC : O_APPEND;
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | start, 0666);
   if (descriptor_ < 0) fail(shown_, "open for writing", errno);
@@ -85,7 +85,7 @@ void OutputFile::write(std::string_view text) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(shown_, "write", errno);
     text.remove_prefix(std::size_t(count));
-    bytes_ += double(count);
+    if (written_) *written_ += count;
   }
 }
 

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+
+#include "bondstatic/types.hpp"
 
 namespace bondstatic {
 
@@ -17,9 +20,10 @@ class OutputFile {
  public:
   enum class Begin { empty, at_end };
 
-  /// Opens `path` for writing; `shown` is the name that messages use. Throws Error.
+  /// Opens `path` for writing; `shown` is the name that messages use. What is written is added to `*written`,
+  /// where that is given. Throws Error.
   OutputFile(const std::filesystem::path& path, std::string shown, Checkpoint checkpoint = {},
-             int threads = 1, Begin begin = Begin::empty);
+             int threads = 1, Begin begin = Begin::empty, std::atomic<Index>* written = nullptr);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -29,8 +33,6 @@ class OutputFile {
   void append(std::string_view text);
   /// Appends all that is in another file. Throws Error.
   void append_file(const std::filesystem::path& path);
-  /// Bytes written so far.
-  double bytes() const { return bytes_; }
   /// Threads that may format what goes into it.
   int threads() const { return threads_; }
   void flush_if_large();
@@ -45,7 +47,7 @@ class OutputFile {
   std::string shown_;
   Checkpoint checkpoint_;
   int threads_;
-  double bytes_ = 0;
+  std::atomic<Index>* written_;
   int descriptor_ = -1;
   fmt::memory_buffer buffer_;
 };

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/csv_writer.hpp"
+#include "io/side_file.hpp"
 #include "results/columns.hpp"
 #include "results/grid.hpp"
 #include "results/load_case_folder.hpp"
@@ -58,9 +59,11 @@ std::vector<std::string> state_files(const std::vector<std::string>& load_cases,
 
 void write_state(FileSet& files, const Model& model, const State& state) {
   const std::string prefix = prefix_of(model.load_cases, state.name);
+  // Tables are much to compute, a grid is much to write.
+  SideFile grid(files, prefix + grid_file, [&](OutputFile& file) { write_grid(file, model, state); });
   write_csv(files.create(prefix + particle_table), particle_columns(model, state));
   write_csv(files.create(prefix + bond_table), bond_columns(model, state));
-  write_grid(files.create(prefix + grid_file), model, state);
+  grid.finish();
 }
 
 // Some 18 characters a number in a table.
