@@ -3,6 +3,7 @@
 // to a hundred times faster. The bits are the same, so the clock may decide.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 #include "bondstatic/types.hpp"
@@ -14,9 +15,12 @@ class ThreadChoice {
   /// Runs so many steps by `work(steps, together)`.
   template <class Work>
   void operator()(Index steps, Work work) {
-    // Threads take a few steps to get up; what they then need is what counts.
-    constexpr Index warm_up = 2, trial = 4, calls_between_trials = 64;
-    if (calls_++ % calls_between_trials == 0 && steps > 2 * (warm_up + trial)) {
+    // Threads take a few steps to get up; what they then need is what counts. A trial is short, and the first
+    // ones meet memory and cores that are not warm: they are soon repeated, later ones seldom.
+    constexpr Index warm_up = 2, trial = 4, longest_pause = 64;
+    if (calls_++ >= next_trial_ && steps > 2 * (warm_up + trial)) {
+      next_trial_ = calls_ + pause_;
+      pause_ = std::min(2 * pause_, longest_pause);
       work(warm_up, !together_);
       timed(trial, !together_, work);
       steps -= warm_up + trial;
@@ -35,7 +39,7 @@ class ThreadChoice {
   }
 
   bool together_ = false;
-  Index calls_ = 0;
+  Index calls_ = 0, next_trial_ = 0, pause_ = 1;
   double cost_[2] = {1e300, 1e300};  ///< seconds a step, alone and together
 };
 
