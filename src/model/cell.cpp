@@ -1,6 +1,7 @@
 #include "model/cell.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,31 +16,57 @@ double height(const Cell& cell, int edge) {
   return volume(cell) / normal.norm();
 }
 
+namespace {
+
+// Row i: the coordinate along edge i of what lies in the span of the periodic edges; zero where edge i is not
+// one of them. Directions across that span take the other edges' places, so that the inverse's rows are the
+// pseudo-inverse's.
+Matrix3 coordinates_along_periodic_edges(const Cell& cell) {
+  Matrix3 basis = cell.edges;
+  auto known = std::count(cell.periodic.begin(), cell.periodic.end(), true);
+  if (known == 0) return Matrix3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (cell.periodic[std::size_t(i)]) continue;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (known++ == 1)
+      basis.col(i) = basis.col(cell.periodic[std::size_t(j)] ? j : k).unitOrthogonal();
+    else
+      basis.col(i) = basis.col(j).cross(basis.col(k)).normalized();
+  }
+  Matrix3 coordinates = basis.inverse();
+  for (int i = 0; i < 3; ++i)
+    if (!cell.periodic[std::size_t(i)]) coordinates.row(i).setZero();
+  return coordinates;
+}
+
+}  // namespace
+
 NearestImage nearest_image(const Cell& cell, const Vector3& branch) {
+  NearestImage nearest{{}, branch.norm(), std::numeric_limits<double>::infinity()};
   // Coordinates along the periodic edges of what lies in their span, rounded, come near; in a skewed cell
   // the nearest is one of those around.
-  std::vector<int> edge;
-  for (int i = 0; i < 3; ++i)
-    if (cell.periodic[std::size_t(i)]) edge.push_back(i);
-  const Eigen::MatrixXd edges = cell.edges(Eigen::all, edge);
-  const Eigen::MatrixXd inverse = edges.completeOrthogonalDecomposition().pseudoInverse();
-  const Eigen::VectorXd along = inverse * branch;
-  NearestImage nearest{{}, branch.norm(), std::numeric_limits<double>::infinity()};
-  if (edge.empty()) return nearest;
+  const Matrix3 coordinates = coordinates_along_periodic_edges(cell);
+  const Vector3 steepness = coordinates.rowwise().norm();
+  if (!(steepness.maxCoeff() > 0)) return nearest;
+  const Vector3 along = coordinates * branch;
   CellImage start{};
-  for (std::size_t e = 0; e < edge.size(); ++e)
-    start[std::size_t(edge[e])] = -int(std::lround(along[Index(e)]));
+  for (int i = 0; i < 3; ++i) start[std::size_t(i)] = -int(std::lround(along[i]));
   const auto length_of = [&](const CellImage& image) { return (branch + shift_of(cell, image)).norm(); };
   // No two images are nearer to each other than the faces that an edge joins.
-  const double apart = 1 / inverse.rowwise().norm().maxCoeff();
+  const double apart = 1 / steepness.maxCoeff();
   if (const double length = length_of(start); length < apart / 2) return {start, length, apart - length};
 
   // What lies in the span is at most half the edges' lengths together away from the nearest image, and that
   // and one edge from the next.
-  const double reach = edges.colwise().norm().sum() / 2 + edges.colwise().norm().minCoeff();
+  double half_way = 0, shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (!cell.periodic[std::size_t(i)]) continue;
+    half_way += cell.edges.col(i).norm() / 2;
+    shortest = std::min(shortest, cell.edges.col(i).norm());
+  }
   std::array<int, 3> most{};
-  for (std::size_t e = 0; e < edge.size(); ++e)
-    most[std::size_t(edge[e])] = 1 + int(reach * inverse.row(Index(e)).norm());
+  for (std::size_t i = 0; i < 3; ++i)
+    if (cell.periodic[i]) most[i] = 1 + int((half_way + shortest) * steepness[Index(i)]);
   nearest.length = std::numeric_limits<double>::infinity();
   for (int i = -most[0]; i <= most[0]; ++i)
     for (int j = -most[1]; j <= most[1]; ++j)
