@@ -11,27 +11,56 @@ double run_memory(const Model& model, const DynamicOptions& options) {
       sizeof(BondPack) + sizeof(EndForces) + (options.bond_damping.any() ? sizeof(DashpotPack) : 0);
   const double body = 5 * 6 * sizeof(double) + 5 * sizeof(double) + sizeof(Vector6) * 2;
   const double bond = sizeof(BondProperties) + 3 * sizeof(Index);
-  return packs * pack + double(model.particles.size()) * body + double(model.bonds.size()) * bond;
+  // What the run keeps of the new order, and the copy of the model that it begins with.
+  const bool near = worth_renumbering(model);
+  const double particle_near = near ? 2 * sizeof(Index) + sizeof(Particle) : 0;
+  const double bond_near = near ? sizeof(Index) + sizeof(Bond) : 0;
+  return packs * pack + double(model.particles.size()) * (body + particle_near) +
+         double(model.bonds.size()) * (bond + bond_near);
 }
+
+namespace {
+
+template <class Items>
+auto in_order(const Items& items, const std::vector<Index>& order) {
+  std::vector<typename Items::value_type> picked(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) picked[i] = items[std::size_t(order[i])];
+  return picked;
+}
+
+}  // namespace
 
 ExplicitRun::ExplicitRun(const Model& model, std::span<const BondProperties> properties, Index load_case,
                          const std::vector<bool>& left_out, const DynamicOptions& options)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
-  d.properties.assign(properties.begin(), properties.end());
   d.options = options;
   d.name = model.load_cases.at(std::size_t(load_case));
-  d.boundary = boundary_of(model, load_case);
   const std::vector<bool> nobody(model.particles.size(), false);
   const std::vector<bool>& out = left_out.empty() ? nobody : left_out;
-  d.bodies = make_bodies(model, d.boundary, out, options);
-  d.packs = bond_packs(model, properties, out, d.bodies.count, d.bond_of_lane);
+  if (!worth_renumbering(model)) {
+    d.properties.assign(properties.begin(), properties.end());
+    d.set_up(model, load_case, out);
+    return;
+  }
+  // What is wrong is told of the first particle in the model's order.
+  require_masses(model, boundary_of(model, load_case), out);
+  d.order = space_order(model, options.threads);
+  d.body_of_particle = positions_in(d.order.particle);
+  d.properties = in_order(properties, d.order.bond);
+  d.set_up(renumbered(model, d.order, options.threads), load_case, in_order(out, d.order.particle));
+}
+
+void ExplicitRun::Data::set_up(const Model& model, Index load_case, const std::vector<bool>& left_out) {
+  boundary = boundary_of(model, load_case);
+  bodies = make_bodies(model, boundary, left_out, options);
+  packs = bond_packs(model, properties, left_out, bodies.count, bond_of_lane);
   if (!options.bond_damping.any()) return;
-  const auto coefficients = bondstatic::dashpots(model, properties, d.boundary.free, options.bond_damping);
-  d.dashpots.resize(d.packs.size());
-  for (std::size_t slot = 0; slot < d.bond_of_lane.size(); ++slot) {
-    const SectionStiffness& c = coefficients[std::size_t(d.bond_of_lane[slot])];
-    DashpotPack& pack = d.dashpots[slot / pack_size];
+  const auto coefficients = bondstatic::dashpots(model, properties, boundary.free, options.bond_damping);
+  dashpots.resize(packs.size());
+  for (std::size_t slot = 0; slot < bond_of_lane.size(); ++slot) {
+    const SectionStiffness& c = coefficients[std::size_t(bond_of_lane[slot])];
+    DashpotPack& pack = dashpots[slot / pack_size];
     const int lane = int(slot % pack_size);
     pack.cn[lane] = c.kn;
     pack.cs[lane] = c.ks;
@@ -45,7 +74,7 @@ ExplicitRun::ExplicitRun(ExplicitRun&&) noexcept = default;
 
 void ExplicitRun::set_velocity(Index particle, const Vector6& velocity) {
   for (std::size_t i = 0; i < 6; ++i) {
-    const std::size_t dof = 6 * std::size_t(particle) + i;
+    const std::size_t dof = 6 * std::size_t(data_->body_of(particle)) + i;
     if (data_->bodies.inverse[dof] > 0) data_->bodies.velocity[dof] = velocity[Eigen::Index(i)];
   }
 }

@@ -143,7 +143,7 @@ Unrest ExplicitRun::unrest() const {
     const double fastest = std::sqrt(std::max(speed[0], square(radius) * speed[1]));
     if (fastest > unrest.fastest || unrest.particle < 0 || std::isnan(fastest)) {
       unrest.fastest = fastest;
-      unrest.particle = p;
+      unrest.particle = d.particle_of(p);
     }
     if (std::isnan(fastest)) break;
   }
@@ -155,22 +155,22 @@ Vector6 ExplicitRun::velocity(Index particle) const {
   Vector6 v;
   for (std::size_t i = 0; i < 6; ++i)
     v[Eigen::Index(i)] = moment_of(data_->bodies, data_->options, data_->factor_at(data_->step),
-                                   data_->step > 0, 6 * std::size_t(particle) + i)
+                                   data_->step > 0, 6 * std::size_t(data_->body_of(particle)) + i)
                              .velocity();
   return v;
 }
 
 Vector6 ExplicitRun::bond_force(Index particle) const {
-  return Eigen::Map<const Vector6>(&data_->bodies.force[6 * std::size_t(particle)]);
+  return Eigen::Map<const Vector6>(&data_->bodies.force[6 * std::size_t(data_->body_of(particle))]);
 }
 
 Eigen::Quaterniond ExplicitRun::orientation(Index particle) const {
   const auto& turn = data_->bodies.turn;
+  const auto p = std::size_t(data_->body_of(particle));
   if (turn[0].empty()) {
-    const Vector3 r(&data_->bodies.motion[6 * std::size_t(particle) + 3]);
+    const Vector3 r(&data_->bodies.motion[6 * p + 3]);
     return Eigen::Quaterniond(Eigen::AngleAxisd(r.norm(), r.stableNormalized()));
   }
-  const auto p = std::size_t(particle);
   return Eigen::Quaterniond(turn[0][p], turn[1][p], turn[2][p], turn[3][p]).normalized();
 }
 
@@ -187,7 +187,7 @@ State ExplicitRun::state() const {
     if (!d.bodies.present[p]) continue;
     state.displacement[p] = Eigen::Map<const Vector6>(&d.bodies.motion[6 * p]);
     if (d.options.kinematics == Kinematics::finite) {
-      const Eigen::AngleAxisd turned(orientation(Index(p)));
+      const Eigen::AngleAxisd turned(orientation(d.particle_of(Index(p))));
       state.displacement[p].tail<3>() = turned.angle() * turned.axis();
     }
     for (std::size_t i = 0; i < 6; ++i) {
@@ -199,6 +199,11 @@ State ExplicitRun::state() const {
   for (std::size_t slot = 0; slot < d.bond_of_lane.size(); ++slot) {
     const auto k = std::size_t(d.bond_of_lane[slot]);
     state.bonds[k] = bond_result(d.packs[slot / pack_size], int(slot % pack_size), d.properties[k].radius);
+  }
+  if (!d.order.particle.empty()) {
+    restore_order(state.displacement, d.order.particle, d.options.threads);
+    restore_order(state.reaction, d.order.particle, d.options.threads);
+    restore_order(state.bonds, d.order.bond, d.options.threads);
   }
   const Energies e = energies();
   state.energy = e.strain;

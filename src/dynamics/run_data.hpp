@@ -4,6 +4,7 @@
 #include "dynamics/advance_bonds.hpp"
 #include "dynamics/bodies.hpp"
 #include "dynamics/thread_choice.hpp"
+#include "model/space_order.hpp"
 
 namespace bondstatic {
 
@@ -39,6 +40,11 @@ struct BlockSums {
 };
 
 struct ExplicitRun::Data {
+  /// Bodies and bonds of a large model stand along a curve through space, whatever the order of its
+  /// particles: all that is below is numbered so. Both are empty where it is the model's own order.
+  SpaceOrder order;
+  std::vector<Index> body_of_particle;
+
   std::vector<BondProperties> properties;
   std::vector<Index> bond_of_lane;
   Boundary boundary;
@@ -56,6 +62,14 @@ struct ExplicitRun::Data {
   Index step = 0;
   CompensatedSum work, dissipated;
   double initial_energy = 0;
+
+  void set_up(const Model& model, Index load_case, const std::vector<bool>& left_out);
+  Index body_of(Index particle) const {
+    return body_of_particle.empty() ? particle : body_of_particle[std::size_t(particle)];
+  }
+  Index particle_of(Index body) const {
+    return order.particle.empty() ? body : order.particle[std::size_t(body)];
+  }
 
   double factor_at(Index at_step) const;  ///< of the ramp
   Loading loading() const { return {factor_at(step), factor_at(step + 1)}; }

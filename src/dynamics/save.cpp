@@ -7,7 +7,7 @@ namespace bondstatic {
 
 namespace {
 
-const ArchiveFormat format{"explicit run", 1};
+const ArchiveFormat format{"explicit run", 2};
 
 void describe(Archive& archive, Lanes& lanes) {
   for (double& value : lanes.at) archive(value);

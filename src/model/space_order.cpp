@@ -42,12 +42,6 @@ std::vector<Index> along_curve(const std::vector<Particle>& particles, int threa
   return order;
 }
 
-std::vector<Index> inverse(const std::vector<Index>& order) {
-  std::vector<Index> position(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) position[std::size_t(order[i])] = Index(i);
-  return position;
-}
-
 std::vector<Index> by_first_particle(const std::vector<Bond>& bonds, const std::vector<Index>& position,
                                      int threads) {
   const Index count = Index(bonds.size());
@@ -65,10 +59,16 @@ std::vector<Index> by_first_particle(const std::vector<Bond>& bonds, const std::
 
 }  // namespace
 
+std::vector<Index> positions_in(const std::vector<Index>& order) {
+  std::vector<Index> position(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) position[std::size_t(order[i])] = Index(i);
+  return position;
+}
+
 SpaceOrder space_order(const Model& model, int threads) {
   SpaceOrder order;
   order.particle = along_curve(model.particles, threads);
-  order.bond = by_first_particle(model.bonds, inverse(order.particle), threads);
+  order.bond = by_first_particle(model.bonds, positions_in(order.particle), threads);
   return order;
 }
 
@@ -76,12 +76,12 @@ SpaceOrder space_order(const Piece& piece, int threads) {
   SpaceOrder order;
   order.particle = along_curve(piece.model.particles, threads);
   std::stable_partition(order.particle.begin(), order.particle.end(), [&](Index p) { return piece.has(p); });
-  order.bond = by_first_particle(piece.model.bonds, inverse(order.particle), threads);
+  order.bond = by_first_particle(piece.model.bonds, positions_in(order.particle), threads);
   return order;
 }
 
 Model renumbered(const Model& model, const SpaceOrder& order, int threads) {
-  const std::vector<Index> position = inverse(order.particle);
+  const std::vector<Index> position = positions_in(order.particle);
   const Index particles = Index(model.particles.size()), bonds = Index(model.bonds.size());
   Model result{.particles = vector_of<Particle>(model.particles.size(), threads),
                .blocks = model.blocks,
@@ -110,7 +110,9 @@ Model renumbered(const Model& model, const SpaceOrder& order, int threads) {
 }
 
 Piece renumbered(const Piece& piece, const SpaceOrder& order, int threads) {
-  Piece result{.model = renumbered(piece.model, order, threads), .own = piece.own};
+  Piece result;
+  result.model = renumbered(piece.model, order, threads);
+  result.own = piece.own;
   for (const Index p : order.particle) {
     result.particle.push_back(piece.particle[std::size_t(p)]);
     if (!piece.has(p)) result.owner.push_back(piece.owner[std::size_t(p - piece.own)]);

@@ -15,6 +15,11 @@ struct SpaceOrder {
   std::vector<Index> particle, bond;
 };
 
+/// Smaller models stay in the cache whatever their order.
+inline bool worth_renumbering(const Model& model) {
+  return model.particles.size() >= std::size_t(1) << 14;
+}
+
 /// Particles along a Z-order curve (Morton, A computer oriented geodetic data base, IBM, 1966) through cubes
 /// of which 2^21 span the model's longest extent; bonds by the first of their two particles. What is equal
 /// keeps its order. Nothing but the time depends on `threads`, here and below.
@@ -22,6 +27,9 @@ SpaceOrder space_order(const Model& model, int threads = 1);
 
 /// Ids, branches, values and directions (from a to b) stay what they are; supports and loads stay in order.
 Model renumbered(const Model& model, const SpaceOrder& order, int threads = 1);
+
+/// Where what stood at each position of old is in the new order.
+std::vector<Index> positions_in(const std::vector<Index>& order);
 
 /// Own particles along the curve, then the copies.
 SpaceOrder space_order(const Piece& piece, int threads = 1);

@@ -12,9 +12,6 @@ namespace bondstatic {
 
 namespace {
 
-// Smaller models stay in the cache whatever their order.
-constexpr std::size_t worth_renumbering = 1 << 14;
-
 std::vector<Mechanism> in_given_order(std::vector<Mechanism> mechanisms, const SpaceOrder& order) {
   for (Mechanism& mechanism : mechanisms) {
     for (Index& p : mechanism.particles) p = order.particle[std::size_t(p)];
@@ -75,7 +72,7 @@ StaticSolution solve_in_space_order(const Given& given, const StaticOptions& opt
 }  // namespace
 
 StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
-  if (model.particles.size() < worth_renumbering) return StaticRun(model, nullptr, options).solve(false);
+  if (!worth_renumbering(model)) return StaticRun(model, nullptr, options).solve(false);
   return solve_in_space_order(model, options, [&](const Model& near, const SpaceOrder& order, int threads) {
     return solve_renumbered(model, near, order, options, threads);
   });
@@ -83,7 +80,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
 
 StaticSolution solve_statics(const Partners& partners, const StaticOptions& options) {
   const Piece& piece = partners.piece;
-  if (piece.model.particles.size() < worth_renumbering)
+  if (!worth_renumbering(piece.model))
     return StaticRun(piece.model, &partners, options).solve(false);
   return solve_in_space_order(piece, options, [&](const Piece& near, const SpaceOrder&, int threads) {
     return solve_renumbered(piece, near, partners, options, threads);
