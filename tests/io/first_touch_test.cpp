@@ -24,7 +24,9 @@ TEST(FirstTouch, StaysWithinTheArray) {
   const std::size_t begin = 4099, size = (std::size_t(2) << 20) - 1;
   touch_pages(bytes.data() + begin, size, 3);
   for (std::size_t i = 0; i < bytes.size(); ++i)
-    if (i < begin || i >= begin + size) ASSERT_EQ(bytes[i], 'x') << i;
+    if (i < begin || i >= begin + size) {
+      ASSERT_EQ(bytes[i], 'x') << i;
+    }
 }
 
 }  // namespace
