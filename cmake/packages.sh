@@ -72,7 +72,7 @@ install_packages() {
 build_preset() (
   cd "$1" || return
   if [ ! -f "build/$2/build.ninja" ]; then
-    say "building preset '$2' (a minute or two, once)"
+    say "building preset '$2' (several minutes, once)"
     run_logged "build/$2/configure.log" cmake --preset "$2" || return
   fi
   run_logged "build/$2/build.log" cmake --build --preset "$2" --parallel "$(nproc)"
