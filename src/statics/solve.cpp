@@ -80,8 +80,7 @@ StaticSolution solve_statics(const Model& model, const StaticOptions& options) {
 
 StaticSolution solve_statics(const Partners& partners, const StaticOptions& options) {
   const Piece& piece = partners.piece;
-  if (!worth_renumbering(piece.model))
-    return StaticRun(piece.model, &partners, options).solve(false);
+  if (!worth_renumbering(piece.model)) return StaticRun(piece.model, &partners, options).solve(false);
   return solve_in_space_order(piece, options, [&](const Piece& near, const SpaceOrder&, int threads) {
     return solve_renumbered(piece, near, partners, options, threads);
   });
